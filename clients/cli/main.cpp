@@ -13,11 +13,11 @@
 namespace {
 
 constexpr const char* kDescription =
-    "A marker is a layout of garment pieces on a strip of cloth.  Most subcommands read one, do one thing "
-    "to it, print what became of it, and write the result where -o says: nest, pack and remake make a "
+    "A marker is a layout of garment pieces on a strip of cloth.  Most subcommands read a marker, carry out one "
+    "operation, print a summary, and write the result to the file given with -o: nest, pack and remake make a "
     "layout; compact, tilt and fill make it shorter; bump, place, separate and float move pieces; check, "
-    "show and convert leave it as it is.  The input may also be a pattern or cut file, the output a plot, "
-    "a cut file or a PDF.  With --server the work is done by a daemon.";
+    "show and convert do not change it.  The input may also be a pattern or cut file, and the output a plot, "
+    "a cut file or a PDF.  With --server, a daemon does the work.";
 
 // In the order of --help.
 std::vector<selvage::cli::command_line::Command> all_commands() {
@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
   namespace cli = selvage::cli;
   cli::command_line::Program program{
       .name = "selvage",
-      .summary = "Nests and compacts garment markers. That no pieces overlap is proved in exact arithmetic.",
+      .summary = "Nests and compacts garment markers, and proves in exact arithmetic that no pieces overlap.",
       .version = SELVAGE_VERSION,
       .description = kDescription,
       .footer = cli::terminal::kExitCodesHelp,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Bundles the page: build.sh FOLDER EXAMPLES.  FOLDER then holds index.html and the files it names, each with the hash of its
-# content in its name.
+# Bundles the page: build.sh FOLDER EXAMPLES.  It writes index.html and the files that it refers to into FOLDER; their names
+# contain the hash of their content.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 out=$1
@@ -20,7 +20,7 @@ hashed() {
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 esbuild "$here/main.ts" --bundle --minify --format=esm --target=es2022 --charset=utf8 --log-level=warning --outfile="$work/room.js"
-# The first of them opens when a daemon has no marker yet.
+# The first example is opened if the daemon has no marker yet.
 list=
 for name in jeans_02g charlie_04g simon_06g jeans_06g jeans_22g; do
   list+="${list:+,}{\"name\":\"$name\",\"file\":\"$(hashed "$examples/$name.json" "$name.json")\"}"

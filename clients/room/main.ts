@@ -1,14 +1,14 @@
-// The marker room: a page for one marker at a time, on the TypeScript client.
+// The marker room, a page that shows one marker at a time, built on the TypeScript client.
 import type { Point } from "../typescript/src/index";
 import { h } from "./base/dom";
 import { follow, Signal } from "./base/signal";
 import { Engine } from "./engine/engine";
 import { Insight } from "./engine/insight";
 import { Places } from "./engine/places";
-import { Commands } from "./hand/commands";
-import { listenForKeys } from "./hand/keys";
-import { Pointer } from "./hand/pointer";
-import { Settling } from "./hand/settling";
+import { Commands } from "./input/commands";
+import { listenForKeys } from "./input/keys";
+import { Pointer } from "./input/pointer";
+import { Settling } from "./input/settling";
 import type { Piece } from "./marker/marker";
 import type { Pose } from "./marker/pose";
 import { worded } from "./panels/controls";
@@ -27,7 +27,7 @@ import { Desk } from "./session/desk";
 import { Library } from "./session/library";
 import { Link } from "./session/link";
 import { MarkerFiles } from "./session/marker_files";
-import { deedInWords } from "./session/words";
+import { methodText } from "./session/messages";
 import { say } from "./texts/texts";
 import { lengthText, measureIn } from "./texts/units";
 import { times } from "./view/frame_times";
@@ -78,7 +78,7 @@ function buildPage(): void {
   listenForKeys(stage.top, { stage, scene, engine, insight, places, commands, pointer, save: () => files.save(), help: openHelp, tell });
 }
 
-// The marker on the table, and every change of it, reaches the canvas here.
+// Shows the current marker, and every change of it, on the canvas.
 function connectScene(): void {
   desk.marker.follow((marker) => {
     if (!marker) return;
@@ -87,7 +87,7 @@ function connectScene(): void {
     scene.opening = desk.opening?.figures.length;
     scene.length = desk.figures.value.length;
     scene.show(marker);
-    // A strip with the whole marker helps where the marker is long.
+    // A long marker gets an overview, which shows all of it.
     document.querySelector<HTMLElement>("main")!.dataset["strip"] = stage.isLong ? "yes" : "";
     if (isNew || !scene.camera.value) stage.fit(!stage.isLong);
     history.replaceState(null, "", `#${desk.markerId}`);
@@ -107,13 +107,13 @@ function connectScene(): void {
     scene.fly(from);
     if (change.by === "reopened" || change.by === "refreshed") tell(say(change.by === "reopened" ? "reopened" : "reconnected"));
     else if (change.by === "closed") tell(say("closedElsewhere"));
-    else if (!change.mine) tell(say("changedBy", { what: deedInWords(change.by), length: lengthText(desk.figures.value.length) }));
+    else if (!change.mine) tell(say("changedBy", { what: methodText(change.by), length: lengthText(desk.figures.value.length) }));
   });
   follow([desk.draggedByOthers, desk.marker, desk.figures], () => {
     scene.draggedByOthers = desk.draggedByOthers.value.flatMap(({ piece, at }) => scene.marker?.heldAt(piece, at) ?? []);
     scene.onChange("moving");
   });
-  // A marker that was empty, or nearly, comes into view as it is nested.
+  // While pieces are nested, the view is fitted to the growing marker.
   engine.preview.follow(() => scene.newcomers.length > 0 && stage.fit(!stage.isLong));
   scene.colouring.follow(() => overview.renew());
 }
@@ -135,7 +135,7 @@ async function start(): Promise<void> {
   keepsNothing.value = !durable;
 }
 
-// Where a piece's label is on the screen when it lies at the pose.
+// The position of a piece's label on the screen when the piece is at the pose.
 function onScreen({ shape }: Piece, pose: Pose): Point | undefined {
   if (!scene.camera.value) return undefined;
   const { left, top } = stage.top.getBoundingClientRect();
@@ -143,7 +143,7 @@ function onScreen({ shape }: Piece, pose: Pose): Point | undefined {
   return [x + left, y + top];
 }
 
-// For tests and measurements: what is on the table, where a piece is on the screen, and how long frames and answers took.
+// For tests and measurements: the state of the page, the position of a piece on the screen, and the times of frames and answers.
 Object.assign(globalThis, {
   selvageRoom: {
     times,

@@ -1,4 +1,4 @@
-// Writes the page as one file that opens from disk: single_file.mjs ENGINE FILE
+// Writes the page as one HTML file that can be opened from disk: single_file.mjs ENGINE FILE
 // ENGINE is engine.wasm of packaging/wasm.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -18,7 +18,7 @@ execFileSync("esbuild", [here("standalone/worker.ts"), "--bundle", "--minify", "
 const textOf = (name) => readFileSync(join(page, name), "utf8");
 const asData = (type, content) => `data:${type};base64,${Buffer.from(content).toString("base64")}`;
 const inline = (script) => script.replaceAll("</script", "<\\/script");
-// A function makes the replacement, so that nothing in the content counts as a pattern.
+// The replacement is a function, so that "$" in the content has no special meaning.
 const replaced = (html, pattern, made) => {
   if (!pattern.test(html)) throw new Error(`index.html has no ${pattern}`);
   return html.replace(pattern, (_, name) => made(name));

@@ -1,4 +1,4 @@
-// The smallest use of the core: three shapes on a strip, one call, every position proved.
+// A minimal program that uses the core: it compacts three pieces on a strip with one call; every position is proved.
 #include <cstdio>
 
 #include "core/marker/validity.h"

@@ -1,4 +1,4 @@
-// The smallest use of a daemon from C++: opens a marker there, compacts it, tells both lengths, closes it.
+// A minimal C++ client of a daemon: opens a marker, compacts it, prints its length before and after, and closes it.
 //   example_compact ADDRESS MARKER.json
 #include <fstream>
 #include <iostream>

@@ -3,7 +3,7 @@
 #
 #   examples/curl/compact.sh MARKER.json OUTLINES.json
 #
-# SELVAGED says where the daemon listens, by default 127.0.0.1:7171.
+# SELVAGED is the address of the daemon, by default 127.0.0.1:7171.
 set -euo pipefail
 
 if [ $# -ne 2 ]; then
@@ -12,7 +12,7 @@ if [ $# -ne 2 ]; then
 fi
 marker=$1 outlines=$2 server=${SELVAGED:-127.0.0.1:7171}
 
-# rpc METHOD: params from stdin, the result to stdout; an error ends the script with its message.
+# rpc METHOD: reads the parameters from stdin and prints the result; after an error, the script ends with its message.
 rpc() {
   { printf '{"jsonrpc":"2.0","id":1,"method":"%s","params":' "$1"; cat; printf '}'; } |
     curl --silent --show-error --fail --header 'Content-Type: application/json' \
@@ -24,7 +24,7 @@ if "error" in answer:
     sys.exit("selvaged: " + answer["error"]["message"])
 json.dump(answer["result"], sys.stdout)'
 }
-# field NAME: one field of the object on stdin.
+# field NAME: prints one field of the JSON object on stdin.
 field() {
   python3 -c 'import json, sys; print(json.dumps(json.load(sys.stdin)[sys.argv[1]]).strip("\""))' "$1"
 }

@@ -1,8 +1,8 @@
-"""Nests every instance of a folder on a running selvaged, and writes the markers into another.
+"""Nests every instance of a folder on a running selvaged, and writes the markers into another folder.
 
 usage: nest_folder.py ADDRESS FOLDER OUT [SECONDS]
 
-Instances are .json files in the form of jagua-rs, or native markers with unplaced pieces.
+Instances are .json files in the format of jagua-rs, or native markers with unplaced pieces.
 """
 import json
 import pathlib

@@ -131,7 +131,7 @@ test("drags, results and dialogues leave nothing behind in the page's memory", (
         await page.press("Draft");
         await page.until(`document.querySelector("#offer").dataset.shown === "yes"`);
         await page.key("k");
-        await page.press("Drop", "#beside");
+        await page.press("Discard", "#beside");
         await page.press("Settings");
         await page.press("Done", "dialog");
       }

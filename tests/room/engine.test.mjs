@@ -54,7 +54,7 @@ test("results kept beside are compared and taken later, in one step, although th
     await call(port, "marker.apply", { markerId, ops: [{ op: "lock", piece: "3", locked: true }] });
     await page.until(`document.querySelector("#beside").textContent.includes("edited while")`);
     const before = await revision(page);
-    await page.press("Take", "#beside");
+    await page.press("Apply", "#beside");
     await atRevision(page, before + 1);
     assert.equal((await call(port, "marker.list")).markers[0].length, 2452.178013);
     await assertValid(port, markerId);
@@ -222,7 +222,7 @@ test("a marker is stored in the library, and an order of such pieces takes over 
   const button = `[...document.querySelectorAll("#panel-engine button")].find((one) => one.textContent === "From library")`;
   assert.equal(await page.ask(`${button}.offsetParent`), null);
   await choose(page, "Store in the library");
-  await page.until(`document.querySelector("#toast").textContent.includes("model is in the library now")`);
+  await page.until(`document.querySelector("#toast").textContent.includes("model is now in the library")`);
   const { markerId: order } = await call(daemon.port, "marker.open", { marker: { ...squares(4), name: "order" } });
   await choose(page, "order");
   await page.until(`selvageRoom.view().markerId === "${order}"`);
@@ -253,7 +253,7 @@ test("two revisions are compared as outlines, and the earlier one is taken again
     const later = (await shown(page, port)).marker;
     await page.press("Compare", "#beside");
     await page.until("selvageRoom.view().outlined > 0", "outlines of what differs");
-    await page.press("Take", "#beside");
+    await page.press("Apply", "#beside");
     await atRevision(page, 3);
     const { marker } = await shown(page, port);
     assert.notDeepEqual(marker.pieces, later.pieces);

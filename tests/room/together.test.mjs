@@ -100,7 +100,7 @@ test("a piece in one hand is marked for all others, where the hand has it, until
     const third = await visit(here.browser, port, { marker: markerId });
     await third.until(`selvageRoom.draggedByOthers().includes("20")`, "the mark for who comes later");
     await other.drag([x, y], [x + 6, y], { hold: true });
-    await other.until(`document.querySelector("#toast").textContent.includes("Someone else is dragging")`);
+    await other.until(`document.querySelector("#toast").textContent.includes("Someone else is also dragging")`);
     await other.key("Escape");
     await page.mouse("mouseReleased", x + 30, y - 20);
     await atRevision(other, 2);

@@ -1,4 +1,4 @@
-// What was probably meant by a misspelt name.
+// Suggests the intended name for a misspelt one.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace selvage::cli::command_line {
 
-// The name that differs least from the word, by letters that are inserted, left out, replaced or exchanged with the
-// next one; nothing when even that differs in more than a third of the word's letters.
+// Returns the name with the least edit distance to the word, counting insertions, deletions, substitutions and
+// transpositions of adjacent letters; nothing if that distance is more than a third of the word's length.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word, std::span<const std::string> names);
 
 }  // namespace selvage::cli::command_line

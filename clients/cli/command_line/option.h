@@ -1,5 +1,5 @@
-// Options of the command line as plain values: what may be given, what it means and what --help prints about it.
-// parse.h reads a command line according to such options; nothing here depends on the parsing library.
+// Options of the command line as plain values: their names, types and limits, and what --help prints about them.
+// parse.h parses a command line according to such options; nothing here depends on the parsing library.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ enum class Kind {
   kInteger,  // std::int64_t
   kNumber,   // double
   kNumbers,  // std::vector<double>: `count` numbers separated by commas
-  kTexts,    // std::vector<std::string>: any number of them, of a positional argument
+  kTexts,    // std::vector<std::string>: any number of texts, for a positional argument
 };
 
-// The alternative follows from the option's kind; a flag is a bool.
+// The option's kind determines the alternative; a flag is a bool.
 using Value = std::variant<bool, std::string, std::int64_t, double, std::vector<double>, std::vector<std::string>>;
 
 // Inclusive on both sides.
@@ -32,10 +32,10 @@ struct Option {
   Kind kind{};
   std::string meaning;  // one line of --help
   bool required{};
-  std::optional<Value> standard{};     // the value of an option that is not given; none: it has no value
-  std::optional<Range> range{};        // of an integer or a number
-  std::vector<std::string> choices{};  // of a text; empty: any text
-  int count{1};                        // how many numbers kNumbers takes
+  std::optional<Value> standard{};     // the default value, if there is one
+  std::optional<Range> range{};        // for an integer or a number
+  std::vector<std::string> choices{};  // for a text; empty: any text
+  int count{1};                        // for kNumbers: how many numbers
   std::string placeholder{};           // stands for the value in --help; empty: INT, FLOAT or TEXT
 };
 

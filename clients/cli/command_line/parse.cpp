@@ -12,7 +12,7 @@
 namespace selvage::cli::command_line {
 namespace {
 
-// --help is read in terminals of 80 columns: names stand in the first ones, meanings in the others.
+// --help is laid out for terminals of 80 columns: names in the first columns, meanings in the others.
 constexpr std::size_t kColumns = 80, kNameColumns = 26;
 
 std::string wrapped(const std::string& text, std::size_t columns) {
@@ -28,7 +28,7 @@ std::string wrapped(const std::string& text, std::size_t columns) {
   return lines;
 }
 
-// Why a word is none of an option's choices, and what was probably meant; nothing when it is one.
+// The error message for a word that is not one of an option's choices, with a suggestion; empty if it is one.
 std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
   constexpr std::size_t kMostListed = 12;
   if (std::find(choices.begin(), choices.end(), word) != choices.end()) return {};
@@ -106,7 +106,7 @@ std::string unknown_command(const Program& program, const std::string& word) {
   return message;
 }
 
-// The first argument that the chosen subcommand does not have, and what was probably meant.
+// The error message for the first argument that the chosen subcommand does not know, with a suggestion.
 std::string unknown_argument(const CLI::App& app, const CLI::App& chosen) {
   std::vector<std::string> names;
   for (const CLI::App* one : {&chosen, &app}) {
@@ -123,17 +123,17 @@ std::string unknown_argument(const CLI::App& app, const CLI::App& chosen) {
   return name + " is not an option of " + chosen.get_name() + (meant ? "; did you mean " + *meant + "?" : "");
 }
 
-// Of numbers that are separated by commas, too few or too many were given.
+// The error message if an option was given too few or too many numbers.
 std::optional<std::string> wrong_count(const Command& command, const CLI::ParseError& error) {
   if (error.get_name() != "ArgumentMismatch") return std::nullopt;
   for (const Option& option : command.options) {
     if (option.kind == Kind::kNumbers && std::string{error.what()}.starts_with(option.name + ":"))
-      return option.name + " takes " + value_of(option) + ", numbers separated by a comma";
+      return option.name + " takes " + value_of(option) + ", numbers separated by commas";
   }
   return std::nullopt;
 }
 
-// What is wrong with the command line, and where more is said about it.
+// The error message for a wrong command line, with a hint at --help.
 std::string mistake(const Program& program, const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* const chosen = app.get_subcommands().empty() ? nullptr : app.get_subcommands().front();
   std::string message = error.what();
@@ -167,7 +167,7 @@ Parsed parse(const Program& program, int argc, const char* const* argv) {
   app.set_help_flag("-h,--help", "Print this text");
   app.set_version_flag("--version", program.name + " " + program.version, "Print the version");
   app.require_subcommand(1);
-  app.fallthrough();  // the program's options may follow the command's name
+  app.fallthrough();  // allows the program's options after the command's name
   app.footer(program.footer);
   for (const Option& option : program.options) add(app, option, parsed.values);
   for (const Command& command : program.commands) {

@@ -1,4 +1,4 @@
-// The values that a command line gave to its options, by the options' keys (option.h).
+// The values of the options of a command line, by the options' keys (option.h).
 #pragma once
 
 #include <functional>
@@ -16,10 +16,10 @@ class Values {
  public:
   void set(std::string key, Value value);
 
-  // Null when the option was not given and has no standard value.
+  // Null if the option was not given and has no default value.
   [[nodiscard]] const Value* find(std::string_view key) const;
   [[nodiscard]] bool flag(std::string_view key) const;  // false when absent
-  // REQUIRES of the following: the option is of that kind.
+  // REQUIRES, for all functions below: the option is of that kind.
   [[nodiscard]] std::string text(std::string_view key) const;                // empty when absent
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;  // empty when absent
   [[nodiscard]] std::optional<std::int64_t> integer(std::string_view key) const;

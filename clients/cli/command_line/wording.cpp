@@ -13,7 +13,7 @@ std::string choices_of(const Option& option, const std::string& between) {
   return choices;
 }
 
-// Too many to stand beside the option's name.
+// Whether there are too many choices to be listed beside the option's name.
 bool has_many_choices(const Option& option) {
   constexpr std::size_t kMost = 5;
   return option.choices.size() > kMost;
@@ -29,7 +29,7 @@ std::string text_of(const Value& value) {
   return {digits.begin(), written.ptr};
 }
 
-// Nothing for the number of threads, which is that of the machine.
+// The default as a text.  It is left out for the number of threads, which depends on the machine.
 std::string standard_of(const Option& option) {
   const bool stated = option.meaning.find("when absent") != std::string::npos;
   if (!option.standard || stated || option.name == "--threads") return {};

@@ -1,4 +1,4 @@
-// How options and their values are named to people, by --help and by the manual page alike.
+// The texts by which --help and the manual page describe options and their values.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ namespace selvage::cli::command_line {
 // "-o,--out" is "-o" and "--out": short names first.
 [[nodiscard]] std::vector<std::string> names_of(const Option& option);
 
-// What stands for the option's value: its placeholder, its choices when there are few, or the kind of value; empty for
-// a flag.
+// The placeholder of the option's value: the given one, the choices if there are few, or the kind of value; empty for a
+// flag.
 [[nodiscard]] std::string value_of(const Option& option);
 
-// The meaning as sentences without the last full stop: also the choices that value_of leaves out, and the default
-// unless the meaning states it.
+// The meaning as sentences without the last full stop.  It includes the choices that value_of leaves out, and the
+// default unless the meaning states it already.
 [[nodiscard]] std::string meaning_of(const Option& option);
 
 }  // namespace selvage::cli::command_line

@@ -30,7 +30,7 @@ bool takes_marker(std::string_view name) {
   return name == run::kApply || protocol::methods::find_method(name)->on_marker;
 }
 
-// JSON as it stands, or the file of that name: an object begins with a brace.
+// Reads JSON text, which begins with a brace, or the file of that name.
 Result<Json> read_params(const std::string& given) {
   if (given.empty()) return Json::object();
   const bool written_out =
@@ -47,7 +47,7 @@ Result<Json> read_params(const std::string& given) {
   return Error{params.error().code, given + ": " + protocol::json::describe(params.error()), ""};
 }
 
-// A call that concerns no marker from a file: one that a daemon has open, or the program itself.
+// A call that concerns a marker that is open on a daemon, or the program itself.
 ExitCode run_without_marker(const std::string& method, Json params, const run::ServerChoice& server) {
   auto answer = server ? run::call_remotely(server, method, std::move(params)) : run::call_locally(method, params);
   if (const auto* failure = std::get_if<terminal::Failure>(&answer)) return report(*failure);
@@ -89,11 +89,11 @@ command_line::Command call_command() {
         .choices = method_names()},
        {.name = "PARAMS",
         .kind = Kind::kText,
-        .meaning = "The method's parameters: JSON such as '{\"rounds\": 3}', a file of it, or - for standard input"},
+        .meaning = "The method's parameters: JSON such as '{\"rounds\": 3}', a file, or - for standard input"},
        {.name = "--marker",
         .kind = Kind::kText,
-        .meaning = "Marker or pattern file; - reads standard input.  With --server it may be left out: the "
-                   "parameters then name a marker that is open there",
+        .meaning = "Marker or pattern file; - reads standard input.  With --server it may be omitted if the "
+                   "parameters name a marker that is open there",
         .placeholder = "FILE"},
        {.name = "--params", .kind = Kind::kText, .meaning = "The same as PARAMS", .placeholder = "JSON"}},
       &run_call};

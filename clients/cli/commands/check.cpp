@@ -1,4 +1,4 @@
-// selvage check: decides exactly whether a marker is valid, and lists what is wrong with it.
+// selvage check: decides in exact arithmetic whether a marker is valid, and lists its defects.
 #include <unistd.h>
 
 #include <iostream>
@@ -48,7 +48,7 @@ command_line::Command check_command() {
       {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}};
   for (command_line::Option& option : override_options()) options.push_back(std::move(option));
   return {"check",
-          "Proves whether any pieces overlap or leave the strip, in exact arithmetic",
+          "Decides in exact arithmetic whether pieces overlap or protrude from the strip",
           std::move(options),
           &run_check,
           {"selvage check marker.json", "selvage check marker.json --spacing 2"}};

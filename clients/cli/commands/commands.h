@@ -1,4 +1,4 @@
-// The subcommands of `selvage`: each declares its options as data and says how it runs.
+// The subcommands of `selvage`.  Each of them declares its options as data and has a function that runs it.
 #pragma once
 
 #include "clients/cli/command_line/parse.h"

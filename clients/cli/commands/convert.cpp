@@ -38,7 +38,7 @@ ExitCode write_as(const MarkerFile& file, FileFormat format, const std::string& 
   return ExitCode::kOk;
 }
 
-// The position of the word among `words`; the first when the option was not given.
+// The enumerator whose word was given; the first one if the option was not given.
 template <class Enum, std::size_t N>
 Enum choice_of(const command_line::Values& values, const char* key, const std::string_view (&words)[N]) {
   const auto* const found = std::find(std::begin(words), std::end(words), values.text(key));
@@ -74,14 +74,14 @@ Result<trade::ReadingOptions> reading_options(const command_line::Values& values
   return options;
 }
 
-// The file to write: OUT, or that of the option.
+// The file to write: OUT, or the value of the option.
 std::optional<std::string> output_of(const command_line::Values& values, const char* key) {
   const std::string second = values.text("OUT"), option = values.text(key);
   if (second.empty() == option.empty()) return std::nullopt;
   return second.empty() ? option : second;
 }
 
-void tell_travel(const MarkerFile& file) {
+void report_travel(const MarkerFile& file) {
   const auto cut = protocol::plots::cut_file(protocol::plots::sheet_of(file));
   std::cerr << "note: the knife travels " << protocol::plots::thousandths(cut.travel / 1000)
             << " m between pieces; in the marker's order it would be "
@@ -98,13 +98,13 @@ ExitCode run_convert(const command_line::Values& values) {
   const auto format = values.find("format") != nullptr
                           ? std::optional{format_named(values.text("format"))}
                           : protocol::files::format_of_name(*out, protocol::files::file_format(file->format));
-  if (!format) return terminal::report(terminal::bad_usage(*out + " names no format by its suffix; give --format"));
+  if (!format) return terminal::report(terminal::bad_usage(*out + " has no suffix of a known format; give --format"));
   const ExitCode code = write_as(*file, *format, *out, server_choice(values));
-  if (code == ExitCode::kOk && *format == FileFormat::kCut) tell_travel(*file);
+  if (code == ExitCode::kOk && *format == FileFormat::kCut) report_travel(*file);
   return code;
 }
 
-// The drawing goes to standard output when no file is named, unless somebody would read it there.
+// The drawing goes to standard output if no file is named, unless that is a terminal.
 ExitCode run_show(const command_line::Values& values) {
   const bool named = !values.text("OUT").empty() || !values.text("svg").empty();
   const bool readable = !named && isatty(STDOUT_FILENO) == 0;
@@ -148,11 +148,11 @@ command_line::Command convert_command() {
        .placeholder = "SIZE,..."},
       {.name = "--rules",
        .kind = Kind::kText,
-       .meaning = "Grade rule table (.rul) that makes the sizes",
+       .meaning = "Grade rule table (.rul) from which the sizes are made",
        .placeholder = "FILE"},
       {.name = "--order",
        .kind = Kind::kText,
-       .meaning = "Order (JSON or CSV) whose bundles are cut",
+       .meaning = "Order (JSON or CSV) that lists the garments to cut",
        .placeholder = "FILE"},
       {.name = "--fold",
        .kind = Kind::kText,

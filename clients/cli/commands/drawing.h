@@ -1,4 +1,4 @@
-// The drawing of a marker after a command, with the overlays that were requested.
+// The drawing of a marker after a command, with the requested overlays.
 #pragma once
 
 #include "protocol/drawing/svg.h"

@@ -56,14 +56,14 @@ std::variant<Outcome, terminal::Failure> run_invocation(const Invocation& invoca
   return run::run_locally(invocation, protocol::execution::ThreadPool{files.threads - 1}, limit, progress);
 }
 
-// In seconds: the call's deadline, or the budget of its search.
+// The time limit in seconds: the call's deadline, or the budget of its search.
 std::optional<double> time_limit_of(const protocol::calls::ParsedCall& call, const Json& params) {
   if (const auto& ms = call.about.deadline_ms) return *ms / 1000;
   if (params.contains("seconds")) return params["seconds"].number();
   return std::nullopt;
 }
 
-// Decodes the call as a daemon does that has just opened the marker.
+// Decodes the call in the same way as a daemon that has just opened the marker.
 Result<protocol::calls::ParsedCall> decode_call(const protocol::calls::Method& method, Json& params) {
   if (params.is_object() && !params.contains("markerId")) params["markerId"] = run::kMarkerId;
   auto call = method.read(params);

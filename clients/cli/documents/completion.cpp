@@ -34,13 +34,13 @@ std::vector<Option> options_of(const Program& program, const Command& command) {
   return options;
 }
 
-// The choices of the first positional argument, such as the methods of `call`; empty when it is a file.
+// The choices of the first positional argument, such as the methods of `call`; empty if it is a file.
 std::vector<std::string> first_choices(const Command& command) {
   const auto first = std::find_if(command.options.begin(), command.options.end(), is_positional);
   return first == command.options.end() ? std::vector<std::string>{} : first->choices;
 }
 
-// Words that follow an option, or the command itself: the choices there, or files where none are listed.
+// The words that may follow an option or the command itself: its choices, or files if it has none.
 std::string bash_script(const Program& program) {
   std::string values, options, with_values;
   for (const Option& option : program.options) with_values += (with_values.empty() ? "" : "|") + option.name;
@@ -86,14 +86,14 @@ std::string bash_script(const Program& program) {
          program.name + " " + program.name + "\n";
 }
 
-// In single quotes, as zsh and fish read them.
+// The text in single quotes, with the escapes of zsh and fish.
 std::string in_single_quotes(const std::string& text, const std::string& escaped_quote) {
   std::string quoted = "'";
   for (const char letter : text) quoted += letter == '\'' ? escaped_quote : std::string{letter};
   return quoted + "'";
 }
 
-// With what zsh takes for the end of a part escaped.
+// Escapes the characters that separate the parts of a zsh specification.
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char letter : text) {
@@ -103,7 +103,7 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
-// What zsh offers for a value: its choices, nothing for a number, else files.
+// The completions that zsh offers for a value: its choices, nothing for a number, files otherwise.
 std::string zsh_values(const Option& option) {
   if (!option.choices.empty()) return "(" + joined(option.choices) + ")";
   return option.kind == Kind::kText || option.kind == Kind::kTexts ? "_files" : "";
@@ -187,10 +187,10 @@ Command completion_command(const Program& program) {
     return terminal::ExitCode::kOk;
   };
   return {.name = "completion",
-          .summary = "Prints a script with which a shell completes subcommands, options and values",
+          .summary = "Prints a script that lets a shell complete subcommands, options and values",
           .options = {{.name = "SHELL",
                        .kind = Kind::kText,
-                       .meaning = "The shell that is to complete",
+                       .meaning = "The shell that will use the script",
                        .required = true,
                        .choices = {"bash", "zsh", "fish"}}},
           .run = run,

@@ -32,7 +32,7 @@ std::string roff(const std::string& text) {
   return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
 }
 
-// An option that most commands have, with the same meaning.
+// Whether most commands have the option with the same meaning.
 std::vector<Option> common_options(const Program& program) {
   constexpr std::size_t kEnough = 10;  // commands
   std::vector<Option> common;
@@ -80,7 +80,7 @@ std::string command_section(const Command& command, const std::vector<Option>& c
   return text + ".RE\n.fi\n";
 }
 
-// The footer as lines that are not filled.
+// The footer in roff, with its line breaks preserved.
 std::string unfilled(const std::string& text) {
   std::istringstream lines{text};
   std::string out = ".nf\n";
@@ -104,8 +104,8 @@ std::string manual_page(const Program& program) {
   for (const Option& option : common) page += option_entry(option);
   page += ".SH COMMANDS\n";
   for (const Command& command : program.commands) page += command_section(command, common);
-  page +=
-      ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\n" + roff("When it is set and not empty, nothing is coloured.") + "\n";
+  page += ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\n" + roff("If it is set and not empty, the output is not coloured.") +
+          "\n";
   return page + ".SH EXIT STATUS\n" + unfilled(program.footer) + ".SH SEE ALSO\n\\fBselvaged\\fR(8)\n";
 }
 

@@ -37,7 +37,7 @@ IndexedFile read_afresh(const std::filesystem::path& path, const FileState& stat
   return indexed;
 }
 
-// The files of the folder by name, but for hidden ones.  Errors: kFile.
+// The files of the folder, sorted by name, without hidden ones.  Errors: kFile.
 Result<std::vector<std::filesystem::path>> paths_in(const std::string& folder) {
   std::error_code failed;
   std::vector<std::filesystem::path> paths;
@@ -59,7 +59,7 @@ Result<std::vector<StoredFile>> list_folder(const std::string& folder) {
   bool changed = false;
   for (const std::filesystem::path& path : *paths) {
     const auto state = state_of(path.string());
-    if (!state) continue;  // removed meanwhile
+    if (!state) continue;  // removed in the meantime
     const auto found = known.find(path.filename().string());
     const bool same = found != known.end() && found->second.state == *state;
     files.push_back(same ? std::move(found->second) : read_afresh(path, *state));
@@ -72,7 +72,7 @@ Result<std::vector<StoredFile>> list_folder(const std::string& folder) {
     if (indexed.figures) {
       stored.push_back({path.stem().string(), path.string(), *std::move(indexed.figures)});
     } else {
-      std::cerr << "selvage: " << path.string() << " is passed over: " << indexed.defect << "\n";
+      std::cerr << "selvage: " << path.string() << " is skipped: " << indexed.defect << "\n";
     }
   }
   return stored;

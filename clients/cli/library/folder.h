@@ -1,9 +1,9 @@
-// A library as the command line has it: a folder of marker files.
+// A library of the command line, which is a folder of marker files.
 //
 // Each file is a marker, in any format that Selvage reads; its name without the suffix is the marker's name in the
-// library.  A folder needs no program to be looked at, copied, or kept under version control, and other programs add to
-// it by writing a file.  What is known of the files is kept in an index (folder_index.h), so that only files that have
-// changed are read.  Files in it that are no markers are passed over, with a line on stderr.
+// library.  Users can view, copy and version a folder without Selvage, and other programs add to it by writing a file.
+// An index (folder_index.h) stores what is known about the files, so that only files that have changed are read.  Files
+// that are not markers are skipped, with a line on stderr.
 #pragma once
 
 #include <optional>
@@ -22,16 +22,16 @@ struct StoredFile {
   protocol::library::StoredFigures figures;
 };
 
-// The markers of the folder, by name.  Errors: kFile.
+// The markers of the folder, sorted by name.  Errors: kFile.
 [[nodiscard]] Result<std::vector<StoredFile>> list_folder(const std::string& folder);
 
-// Writes the marker into the folder, which is made if there is none, as NAME.json in the native format.
-// Errors: kFile when it cannot be written, or when the library has another marker of that name; kMarkerOverlaps,
+// Writes the marker as NAME.json, in the native format, into the folder, which is created if it does not exist.
+// Errors: kFile if it cannot be written, or if the library has another marker with that name; kMarkerOverlaps,
 // kOutsideStrip or kEmptyMarker for a marker that is not valid, or that does not have all of its pieces on the cloth.
 [[nodiscard]] std::optional<Error> add_to_folder(const std::string& folder, const std::string& name,
                                                  const MarkerFile& file);
 
-inline constexpr std::size_t kConsidered = 20;  // of the nearest markers, by searches and remaking
+inline constexpr std::size_t kConsidered = 20;  // number of nearest markers that searches and remaking consider
 
 // A marker of a library with its document.
 struct NearMarker {

@@ -19,7 +19,7 @@ std::string path_of_index(const std::string& folder) {
   return (std::filesystem::path{folder} / kIndexName).string();
 }
 
-// Numbers that a double does not hold are text.
+// Integers that a double cannot represent exactly are written as text.
 std::string line_of(const IndexedFile& indexed) {
   Json line = indexed.figures ? figures_document(*indexed.figures) : Json::object();
   line["file"] = indexed.file;

@@ -17,7 +17,7 @@ namespace {
 using command_line::Kind;
 using terminal::ExitCode;
 
-constexpr std::size_t kShown = 10;  // of a search
+constexpr std::size_t kShown = 10;  // number of search results that are printed
 
 std::string line_of(const std::string& name, const protocol::library::StoredFigures& figures) {
   char text[160];
@@ -53,7 +53,7 @@ ExitCode list(const std::string& folder) {
   return ExitCode::kOk;
 }
 
-// The candidates that remaking would choose from, best prediction first.
+// The candidates that remaking would choose from, the best prediction first.
 ExitCode search_for(const std::string& path, const std::vector<StoredFile>& stored) {
   const auto order = terminal::load_marker(path);
   if (!order) return terminal::report(order.error());

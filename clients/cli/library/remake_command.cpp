@@ -18,7 +18,7 @@ namespace {
 using command_line::Kind;
 using parameters::ParameterOption;
 
-// The library stands for the list of stored markers.
+// The library takes the place of the parameter with the stored markers.
 std::vector<ParameterOption> remake_options() {
   auto options = parameters::parameter_options(*protocol::methods::find_method("marker.remake"));
   std::erase_if(options, [](const ParameterOption& option) { return option.parameter.name == "stored"; });
@@ -68,19 +68,18 @@ terminal::ExitCode run_remake(const std::vector<ParameterOption>& options, const
 
 command_line::Command remake_command() {
   std::vector<ParameterOption> parameters = remake_options();
-  command_line::Command command{
-      "remake",
-      "Lays an order out like the most similar markers of a library",
-      {{.name = "ORDER",
-        .kind = Kind::kText,
-        .meaning = "Marker or pattern file whose pieces are wanted; where they lie does not matter",
-        .required = true},
-       {.name = "--library",
-        .kind = Kind::kText,
-        .meaning = "Folder of marker files, which `selvage library add` fills",
-        .required = true,
-        .placeholder = "FOLDER"}},
-      {}};
+  command_line::Command command{"remake",
+                                "Arranges the pieces of an order like those of the most similar markers of a library",
+                                {{.name = "ORDER",
+                                  .kind = Kind::kText,
+                                  .meaning = "Marker or pattern file with the pieces; their positions do not matter",
+                                  .required = true},
+                                 {.name = "--library",
+                                  .kind = Kind::kText,
+                                  .meaning = "Folder of marker files, which `selvage library add` fills",
+                                  .required = true,
+                                  .placeholder = "FOLDER"}},
+                                {}};
   for (const ParameterOption& parameter : parameters) command.options.push_back(parameter.option);
   for (command_line::Option& option : commands::file_options()) command.options.push_back(std::move(option));
   command.options.push_back(commands::time_option("result"));

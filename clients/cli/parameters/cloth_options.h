@@ -12,7 +12,7 @@
 namespace selvage::cli::parameters {
 
 [[nodiscard]] std::vector<command_line::Option> cloth_options();
-// What of them was given.  Errors: those of reading a message from JSON, for the options that are given as JSON.
+// The rules that were given.  Errors: those of reading a message from JSON, for options that are given as JSON.
 [[nodiscard]] Result<protocol::edits::Cloth> cloth_from(const command_line::Values& values);
 
 }  // namespace selvage::cli::parameters

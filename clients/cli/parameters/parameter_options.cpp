@@ -23,7 +23,7 @@ using protocol::schema::Type;
 struct Exception {
   std::string_view method, parameter, option;
   double divisor{1};
-  std::string_view meaning{};  // empty: that of the parameter
+  std::string_view meaning{};  // empty: the meaning of the parameter
 };
 constexpr Exception kExceptions[] = {
     {"motion.separate", "grow", "--grow", 100, "How much longer the marker may become, in per cent"},
@@ -42,7 +42,7 @@ const Exception* exception_of(std::string_view method, std::string_view paramete
   return found == std::end(kExceptions) ? nullptr : found;
 }
 
-// The type itself, when it is only another name for a type.
+// Resolves a type that is only another name for a type.
 Type resolved(const Type& type) {
   if (type.kind != Type::Kind::kNamed || !type.component().same_as) return type;
   return resolved(*type.component().same_as);
@@ -53,7 +53,7 @@ bool may_be_text(const Type& type) {
   return type.kind == Type::Kind::kString || !words_of(type).empty();
 }
 
-// None: the option takes JSON.
+// The kind of an option of this type; none if the option takes JSON.
 std::optional<Kind> kind_of(const Type& type) {
   switch (type.kind) {
     case Type::Kind::kBoolean: return Kind::kFlag;
@@ -68,7 +68,7 @@ std::optional<Kind> kind_of(const Type& type) {
   return std::nullopt;
 }
 
-// The value of the option when the parameter is absent.
+// The value that the option has when the parameter is absent.
 std::optional<Value> standard_value(const Json& fallback, Kind kind, double divisor) {
   if (kind == Kind::kText && fallback.is_string()) return fallback.get<std::string>();
   if (kind == Kind::kInteger && fallback.is_number()) return fallback.get<std::int64_t>();
@@ -88,7 +88,7 @@ bool is_letter(char c) {
   return is_capital(c) || (c >= 'a' && c <= 'z');
 }
 
-// The text with the names of parameters, which are words such as overCut, replaced by those of their options.
+// Replaces the names of parameters in the text, such as overCut, by those of their options.
 std::string with_option_names(std::string_view text) {
   std::string named;
   while (!text.empty()) {
@@ -105,8 +105,8 @@ std::string with_option_names(std::string_view text) {
   return named;
 }
 
-// A parameter's meaning as that of an option: of a flag, what it does when it is given; other parameters by the names
-// of their options.
+// The meaning of a parameter, worded for its option: for a flag, what giving it does; other parameters are called by
+// the names of their options.
 std::string meaning_on_command_line(const FieldDescription& parameter, bool flag) {
   std::string text = without_full_stop(parameter.meaning);
   const std::string_view given = is_switched_off(parameter) ? "False: " : "True: ";

@@ -1,5 +1,5 @@
-// The parameters of a method, and the fields of any other message, as options of the command line: both follow from
-// one descriptor.
+// Options of the command line for the parameters of a method, and for the fields of any other message.  They are made
+// from the same descriptor as the protocol.
 #pragma once
 
 #include <string>
@@ -13,23 +13,23 @@
 
 namespace selvage::cli::parameters {
 
-// An option that gives a parameter its value.
+// An option that sets a parameter.
 struct ParameterOption {
   protocol::schema::FieldDescription parameter;
   command_line::Option option;
-  double divisor{1};  // of a number: the parameter is the option's value divided by this
+  double divisor{1};  // for a number: the parameter is the option's value divided by this
 };
 
-// One for each parameter, apart from those that concern the call itself, such as revisions and deadlines.  "popOut"
+// One option for each parameter, except for those of the call itself, such as revisions and deadlines.  "popOut"
 // becomes --pop-out; parameters that are lists or objects are given as JSON.
 [[nodiscard]] std::vector<ParameterOption> parameter_options(const protocol::calls::Method& method);
 
-// One for each field of a message that is no method's parameters.
+// One option for each field of a message that is not the parameters of a method.
 [[nodiscard]] std::vector<ParameterOption> field_options(const std::vector<protocol::schema::FieldDescription>& fields);
 
 // "popOut" becomes "--pop-out".
 [[nodiscard]] std::string option_name(std::string_view parameter);
-// The same text without a full stop at its end, as help texts have none.
+// The text without the full stop at its end, as help texts have none.
 [[nodiscard]] std::string without_full_stop(std::string_view text);
 
 // The parameters of a call.  Errors: kSyntax and others of protocol::json::parse, for an option that is given as JSON.

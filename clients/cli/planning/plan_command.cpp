@@ -1,4 +1,4 @@
-// selvage plan: from an order and a style to markers, lays and plies, as text, JSON and a page with pictures.
+// selvage plan: plans markers, lays and plies for an order of a style, and writes the plan as text, JSON and HTML.
 #include "clients/cli/planning/plan_command.h"
 
 #include <unistd.h>
@@ -33,7 +33,7 @@ using parameters::ParameterOption;
 using terminal::ExitCode;
 
 constexpr std::string_view kPlanMethod = "plan.cut";
-// Parameters that the command gives itself.
+// Parameters that the command sets itself.
 constexpr std::array<std::string_view, 5> kGiven{"markerId", "quantities", "documents", "deadlineMs", "progressToken"};
 
 const protocol::calls::Method& plan_method() {
@@ -106,7 +106,7 @@ std::optional<Error> write_plan(const Json& plan, const command_line::Values& va
   return terminal::write_text(html, *page);
 }
 
-// The order in the text of this file.
+// Reads the order in this file.
 Result<protocol::trade::orders::Order> order_in(const std::string& text, const std::string& path) {
   auto order = protocol::trade::orders::read_order(text);
   if (order) order = one_of_each_size(*std::move(order));
@@ -146,7 +146,7 @@ ExitCode run_plan_command(const command_line::Values& values) {
 command_line::Command plan_command() {
   command_line::Command command{
       "plan",
-      "Plans which markers are cut for an order, and how many plies of which colour",
+      "Plans which markers to cut for an order, with how many plies of which colour",
       {{.name = "ORDER",
         .kind = Kind::kText,
         .meaning = "Order (JSON or CSV): garments by colour and size",
@@ -158,7 +158,7 @@ command_line::Command plan_command() {
         .placeholder = "FILE"},
        {.name = "--rules",
         .kind = Kind::kText,
-        .meaning = "Grade rule table (.rul) that makes the sizes",
+        .meaning = "Grade rule table (.rul) from which the sizes are made",
         .placeholder = "FILE"},
        {.name = "--width",
         .kind = Kind::kNumber,

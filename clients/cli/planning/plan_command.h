@@ -1,4 +1,4 @@
-// selvage plan.
+// The command `selvage plan`.
 #pragma once
 
 #include "clients/cli/command_line/parse.h"

@@ -11,10 +11,10 @@
 
 namespace selvage::cli::run {
 
-inline constexpr std::string_view kMarkerId = "m1";  // of the marker in this process
+inline constexpr std::string_view kMarkerId = "m1";  // the id of the marker in this process
 inline constexpr Revision kFirstRevision = 1;
 
-// REQUIRES: what it refers to outlives it, and `call` was decoded from `params`.
+// REQUIRES: the objects that it refers to outlive it, and `call` was decoded from `params`.
 struct Invocation {
   const protocol::calls::Method& method;
   const Json& params;

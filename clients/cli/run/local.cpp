@@ -59,7 +59,7 @@ std::variant<Json, terminal::Failure> call_locally(std::string_view method, cons
   if (const Json* const result = response.find("result")) return *result;
   const Json& error = response["error"];
   const bool unserved = error["code"] == static_cast<int>(protocol::rpc::RpcCode::kMethodNotFound);
-  if (unserved) return terminal::bad_usage(error["message"].text() + "; name one with --server");
+  if (unserved) return terminal::bad_usage(error["message"].text() + "; give the address of one with --server");
   const Json* const data = error.find("data");
   const std::string name = data != nullptr ? data->value("name", "") : "";
   return terminal::Failure{terminal::with_name(error["message"].text(), name), terminal::ExitCode::kBadInput};

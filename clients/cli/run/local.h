@@ -1,4 +1,4 @@
-// Runs a method in this process, from the table of methods that the daemon uses too.
+// Runs methods in this process, from the same table of methods as the daemon's.
 #pragma once
 
 #include <string_view>
@@ -22,8 +22,8 @@ inline constexpr std::string_view kApply = "marker.apply";
                                                                    const protocol::execution::TimeLimit& limit,
                                                                    terminal::ProgressLine& progress);
 
-// The result of a method that takes no marker from a file, such as engine.info.  Errors: those of the method; a method
-// that only a daemon serves is refused.
+// Returns the result of a method that needs no marker from a file, such as engine.info.  Errors: those of the method; a
+// method that only a daemon supports is refused.
 [[nodiscard]] std::variant<Json, terminal::Failure> call_locally(std::string_view method, const Json& params);
 
 // The fields of marker.check's result.

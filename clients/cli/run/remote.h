@@ -1,4 +1,4 @@
-// What commands do on a daemon: open the marker there, call a method, fetch the result and close the marker again.
+// Runs commands on a daemon: opens the marker there, calls a method, fetches the result and closes the marker again.
 //
 // A build without the C++ client (CMake option SELVAGE_REMOTE=OFF) compiles no_remote.cpp instead of remote.cpp,
 // remote_marker.cpp and watch.cpp; every function below then fails with a message that says so.
@@ -21,7 +21,7 @@ namespace selvage::cli::run {
                                                                     const std::stop_token& stop,
                                                                     terminal::ProgressLine& progress);
 
-// The result of a call that is sent as it is.
+// Sends a call without a marker from a file, and returns its result.
 [[nodiscard]] std::variant<Json, terminal::Failure> call_remotely(const ServerChoice& server, std::string_view method,
                                                                   const Json& params);
 
@@ -33,8 +33,8 @@ namespace selvage::cli::run {
                                                                          const MarkerFile& file,
                                                                          std::string_view format);
 
-// Prints one line for the present state of a marker that is open on the daemon and one for every change, until it is
-// closed or SIGINT arrives.  `json`: the daemon's messages instead of lines for people.
+// Prints one line for the current state of a marker that is open on the daemon and one for every change, until it is
+// closed or SIGINT arrives.  `json`: print the daemon's messages instead of readable lines.
 [[nodiscard]] terminal::ExitCode watch(const ServerChoice& server, const std::string& marker_id, bool json);
 
 }  // namespace selvage::cli::run

@@ -52,11 +52,11 @@ std::variant<std::unique_ptr<client::Client>, terminal::Failure> connect(const S
     settings.token = text->substr(0, text->find_first_of("\r\n"));
   }
   auto client = std::make_unique<client::Client>(server.address, std::move(settings), std::move(handlers));
-  // A short call comes first: a daemon that has not seen the token closes the connection while a long request, such as
-  // a whole marker, is still being sent, and its error would be lost.
-  const client::Answer greeted = client->call("engine.info");
-  if (!greeted) {
-    terminal::Failure failure = failure_of(greeted.error());
+  // A short call is made first.  A daemon that rejects the token would close the connection while a long request, such
+  // as a whole marker, is still being sent, and its error would be lost.
+  const client::Answer answer = client->call("engine.info");
+  if (!answer) {
+    terminal::Failure failure = failure_of(answer.error());
     if (failure.code == terminal::ExitCode::kServer) failure.message.insert(0, server.address + ": ");
     return failure;
   }

@@ -1,4 +1,4 @@
-// A marker that this process has opened on a daemon; closed again at the end of its life.
+// A marker that this process has opened on a daemon; the destructor closes it.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,10 @@ namespace selvage::cli::run {
 [[nodiscard]] client::Json to_wire(const Json& value);
 [[nodiscard]] Json from_wire(const client::Json& value);
 
-// Of an error that a daemon answered with, or that prevented an answer.
+// Makes a failure of an error that a daemon returned, or that prevented an answer.
 [[nodiscard]] terminal::Failure failure_of(const client::CallError& error);
 
-// A client of the daemon, which has answered once.
+// Connects to the daemon and waits until it has answered a first call.
 [[nodiscard]] std::variant<std::unique_ptr<client::Client>, terminal::Failure> connect(const ServerChoice& server,
                                                                                        client::Handlers handlers = {});
 
@@ -37,15 +37,15 @@ class RemoteMarker {
   RemoteMarker(const RemoteMarker&) = delete;
   RemoteMarker& operator=(const RemoteMarker&) = delete;
 
-  // Called first.
+  // REQUIRES: called before all other functions.
   [[nodiscard]] std::optional<terminal::Failure> open(const ServerChoice& server, const MarkerFile& file,
                                                       OnRound on_round = {});
   // The call's result; a stop request cancels the call.  markerId is added to `params`.
   [[nodiscard]] std::variant<Json, terminal::Failure> call(std::string_view method, Json params,
                                                            const std::stop_token& stop = {});
-  // The marker as it is on the daemon now, with the format of `file`.
+  // The current state of the marker on the daemon, with the format of `file`.
   [[nodiscard]] std::variant<MarkerFile, terminal::Failure> get(const MarkerFile& file);
-  // Its text in any format, as write_marker gives it.
+  // The text of the marker in any format, as write_marker would return it.
   [[nodiscard]] std::variant<std::string, terminal::Failure> text(std::string_view format);
 
  private:

@@ -22,8 +22,8 @@ namespace {
 
 struct Event {
   enum class Kind { kChanged, kClosed, kReconnected, kLost, kInterrupted } kind{};
-  Json params{};          // of kChanged
-  std::string message{};  // of kLost
+  Json params{};          // for kChanged
+  std::string message{};  // for kLost
 };
 
 // Passes events from the client's thread to the thread that prints.
@@ -75,7 +75,7 @@ class Watch {
     printed_ = revision;
     std::cout << (json_ ? protocol::json::to_text(figures) : terminal::plain_change(figures)) << std::endl;
   }
-  // Prints the present state if it has not been printed yet.
+  // Prints the current state if it has not been printed yet.
   std::optional<terminal::Failure> catch_up() {
     for (;;) {
       const client::Answer checked = ask("marker.check", {{"markerId", marker_id_}});
@@ -88,7 +88,7 @@ class Watch {
         print(from_wire(figures));
         return std::nullopt;
       }
-    }  // The marker changed between the two calls: ask again.
+    }  // The marker changed between the two calls: try again.
   }
 
  private:

@@ -14,7 +14,7 @@ std::string with_name(const std::string& message, std::string_view name) {
   if (name.empty()) return message;
   const std::string_view hint =
       name == wire_name(ErrorCode::kMarkerOverlaps)
-          ? "\n`selvage separate` moves overlapping pieces apart; `--overlap` allows what is meant."
+          ? "\n`selvage separate` moves overlapping pieces apart; `--overlap` allows intended overlaps."
           : "";
   return message + " [" + std::string{name} + "]" + std::string{hint};
 }

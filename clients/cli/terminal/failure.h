@@ -14,13 +14,13 @@ struct Failure {
   ExitCode code{};
 };
 
-// Of an error met while reading, writing or decoding.
+// Makes a failure of an error that occurred while reading, writing or decoding.
 [[nodiscard]] Failure failure_of(const Error& error);
-// "MESSAGE [NAME]", and what helps where that is known; the message alone when there is no name.
+// "MESSAGE [NAME]", followed by advice for some errors; the message alone if there is no name.
 [[nodiscard]] std::string with_name(const std::string& message, std::string_view name);
 // The same for an error of this process.
 [[nodiscard]] std::string message_of(const Error& error);
-// A mistake on the command line that only the command itself can see.
+// An incorrect command line, for errors that only the command itself can detect.
 [[nodiscard]] Failure bad_usage(std::string message);
 
 // Prints the message to stderr after the program's name, and returns the exit code.

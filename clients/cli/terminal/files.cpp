@@ -22,7 +22,7 @@ Error file_error(const std::string& path, const std::string& what) {
   return {ErrorCode::kFile, path + " cannot be " + what + reason, ""};
 }
 
-// Stops after the limit is exceeded.
+// Stops reading when the limit is exceeded.
 bool read_all(std::istream& stream, std::string& text) {
   constexpr std::size_t kChunk = std::size_t{1} << 16;
   while (text.size() <= protocol::json::kMaxFileBytes && stream) {

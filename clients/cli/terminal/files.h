@@ -20,7 +20,7 @@ inline constexpr std::string_view kStandardStream = "-";
 // Errors: kFile.
 [[nodiscard]] std::optional<Error> write_text(const std::string& path, std::string_view text);
 
-// Why nothing can be written to this path; none when it can, as far as can be seen without writing.  Errors: kFile.
+// Checks, without writing, whether the file can be written, and returns the error if it cannot.  Errors: kFile.
 [[nodiscard]] std::optional<Error> why_not_writable(const std::string& path);
 
 // read_text followed by read_file; the errors of both, with the file's name in the message.

@@ -51,7 +51,7 @@ void ProgressLine::show_round(const ShownRound& round) {
   round_ = round;
 }
 
-// REQUIRES: the lock is held.
+// REQUIRES: the caller holds the lock.
 std::string ProgressLine::text(double elapsed_ms) const {
   const double seconds = elapsed_ms / 1000;
   std::string line = seconds_ ? bar(std::min(1.0, seconds / *seconds_)) : rounded(seconds, 0) + " s";

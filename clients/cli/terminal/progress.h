@@ -14,23 +14,23 @@
 
 namespace selvage::cli::terminal {
 
-// A round as it is shown; lengths are in the marker's unit.
+// A round to be shown; lengths are in the marker's unit.
 struct ShownRound {
   int number{};
   double length{};
-  std::optional<double> bound{};  // no marker is shorter
+  std::optional<double> bound{};  // a proved lower bound on the length
   std::optional<std::uint64_t> nodes{};
 };
 
 class ProgressLine {
  public:
-  // `show`: print a line on stderr and keep it up to date, once the work has taken a second.  `seconds`: after which
-  // the work ends, when that is known; then the line has a bar.
+  // `show`: whether to print a line on stderr and update it once the work has taken a second.  `seconds`: the time
+  // limit of the work, if there is one; the line then has a bar.
   ProgressLine(const Marker& marker, bool show, std::optional<double> seconds);
 
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] scene::Observer observer();
-  // Called after every round.  From any thread.
+  // Called after every round, from any thread.
   void show_round(const ShownRound& round);
   [[nodiscard]] bool shown() const { return show_; }
   // Stops the clock and clears the line.
@@ -47,7 +47,7 @@ class ProgressLine {
   const std::optional<double> seconds_;
   const double start_;  // milliseconds
   protocol::execution::StageTimer timer_;
-  std::mutex mutex_;  // of the round
+  std::mutex mutex_;  // guards the round
   ShownRound round_;
   std::condition_variable_any ended_;
   std::jthread writer_;  // the only one that prints the line

@@ -1,5 +1,5 @@
-// Text for people.  Colour: on a terminal, unless NO_COLOR is set (https://no-color.org) or the terminal is a dumb one.
-// Numbers: rounded to what they mean; files and --json keep every digit.
+// Formats text for people.  It is coloured on a terminal, unless NO_COLOR is set (https://no-color.org) or the terminal
+// cannot show colours.  Numbers are rounded to their significant digits; files and --json keep every digit.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ class Style {
  public:
   // Without colour.
   Style() = default;
-  // As the file descriptor and the environment have it.
+  // Decides by the file descriptor and the environment.
   explicit Style(int descriptor);
 
   [[nodiscard]] std::string good(std::string_view text) const { return in("\033[32m", text); }
@@ -25,11 +25,11 @@ class Style {
   bool coloured_{};
 };
 
-// With this number of decimals.
+// The number with this many decimals.
 [[nodiscard]] std::string rounded(double value, int decimals);
-// A length or a coordinate: seven digits, fewer when the rest are zeros.
+// A length or a coordinate with seven digits, without trailing zeros.
 [[nodiscard]] std::string length_text(double value);
-// How much longer, as in "-0.873 %".  REQUIRES: before > 0.
+// The relative change, as in "-0.873 %".  REQUIRES: before > 0.
 [[nodiscard]] std::string change_text(double before, double after);
 
 }  // namespace selvage::cli::terminal

@@ -62,7 +62,7 @@ std::string repair_line(const Json& repair, const std::string& unit) {
          significant(repair["farthestMove"].number()) + unit + "\n";
 }
 
-// The final position of a piece that moved alone, and the pieces that stop it if the motion reports them.
+// The final position of a single piece that moved, and the pieces that stop it if the motion reports them.
 std::string position_line(const Json& fields, const std::string& unit) {
   const Json& at = fields["at"];
   std::string out = "  position     " + length_text(at[0].number()) + ", " + length_text(at[1].number()) + unit;
@@ -72,7 +72,7 @@ std::string position_line(const Json& fields, const std::string& unit) {
   return out + by + "\n";
 }
 
-// How far a separation moved the pieces, the overlaps that remain and the pieces that it left out.
+// How far a separation moved the pieces, the overlaps that remain and the pieces that it took off the cloth.
 std::string separation_lines(const Json& fields, const std::string& unit) {
   std::string out = "  moved        " + significant(fields["moved"].number()) + unit + " in all, " +
                     significant(fields["farthestMove"].number()) + unit + " at most\n";
@@ -105,7 +105,7 @@ std::string search_lines(const Json& fields, const std::string& unit) {
   return out;
 }
 
-// What every attempt of a remake did, with the utilisation after each step.
+// The attempts of a remake, with the utilisation after each step.
 std::string remake_lines(const Json& f) {
   const std::string& outcome = f["outcome"].text();
   std::string out;
@@ -116,11 +116,11 @@ std::string remake_lines(const Json& f) {
     for (const Json& step : attempt["steps"]) {
       out += ", " + step["step"].text() + " " + per_cent(step["utilisation"].number());
     }
-    if (attempt["made"] != true) out += ", not apart";
-    if (f.contains("chosen") && f["chosen"].get<std::size_t>() == k) out += "; taken";
+    if (attempt["made"] != true) out += ", overlaps remain";
+    if (f.contains("chosen") && f["chosen"].get<std::size_t>() == k) out += "; chosen";
     out += "\n";
   }
-  if (outcome == "none_near") out += "  no stored marker is near enough\n";
+  if (outcome == "none_near") out += "  no stored marker is similar enough\n";
   if (outcome == "nested") out += "  nested from nothing\n";
   return out;
 }
@@ -195,13 +195,13 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
     const std::string& id = protrusion["piece"].text();
     const auto piece = std::ranges::find(marker.pieces, id, &Piece::id);
     const bool ruled = piece != marker.pieces.end() && piece->rules.own_room();
-    out += "  piece " + id + " leaves " + (ruled ? "the room that its rules leave" : "the strip") + " by " +
+    out += "  piece " + id + " leaves " + (ruled ? "the area that its rules allow" : "the strip") + " by " +
            significant(protrusion["by"].number()) + unit + "\n";
   }
   for (const Json& shade : validity.value("shades", Json::array())) {
     out += "  the pieces of shade " + shade["shade"].text() + ", from " + shade["leftmost"].text() + " to " +
-           shade["rightmost"].text() + ", take " + significant(shade["by"].number()) + unit +
-           " more of the length than they may\n";
+           shade["rightmost"].text() + ", are spread over " + significant(shade["by"].number()) + unit +
+           " more of the length than allowed\n";
   }
   for (const Json& match : validity.value("matches", Json::array())) {
     out += "  piece " + match["piece"].text() + " of match set " + match["matchSet"].text() + " lies " +

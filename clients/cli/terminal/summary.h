@@ -15,7 +15,7 @@ namespace selvage::cli::terminal {
 // followed by the times and the cache's counts.
 [[nodiscard]] std::string json_line(const Json& fields, const protocol::execution::StageTimes& times,
                                     const minkowski::CacheCounts& cache);
-// The same for people.  REQUIRES: `fields` is the result of a motion on `marker`.
+// The same in a few readable lines.  REQUIRES: `fields` is the result of a motion on `marker`.
 [[nodiscard]] std::string plain_summary(const Json& fields, const protocol::execution::StageTimes& times,
                                         const Marker& marker, const Style& style);
 

@@ -9,7 +9,7 @@ function assign(element: Element, attributes: Attributes): void {
   }
 }
 
-/** An element. Texts become text nodes, never markup; attributes whose names begin with "on" are listeners. */
+/** Creates an element. Texts become text nodes, never markup; attributes whose names begin with "on" are listeners. */
 export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
   assign(element, attributes);
@@ -17,19 +17,19 @@ export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Att
   return element;
 }
 
-/** Replaces what is in an element. */
+/** Replaces the content of an element. */
 export function fill(element: Element, ...children: Child[]): void {
   element.replaceChildren(...children.filter((child): child is Node | string => !!child || child === ""));
 }
 
-/** Sets a text only when it differs, so that assistive technology does not announce it twice. */
+/** Sets the text of an element only if it differs, so that assistive technology does not announce it twice. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 
 const SVG = "http://www.w3.org/2000/svg";
 
-/** An icon of 20 by 20, drawn with lines: each path is the `d` of one. */
+/** Creates an icon of 20 by 20, drawn with lines: each string is the attribute `d` of a path. */
 export function icon(...paths: string[]): SVGSVGElement {
   const svg = document.createElementNS(SVG, "svg");
   assign(svg, { viewBox: "0 0 20 20", class: "icon", "aria-hidden": "true" });

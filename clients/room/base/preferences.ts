@@ -7,7 +7,7 @@ export interface Preferences {
   theme: "system" | "light" | "dark";
   colourBy: "size" | "bundle" | "shape" | "none";
   dragMode: "push" | "place";
-  price: number; // of a metre of cloth
+  price: number; // per metre of cloth
   plies: number;
   currency: string;
   middle: boolean; // draw a line in the middle of the cloth's width
@@ -36,11 +36,11 @@ function load(): Preferences {
     const known = Object.entries(kept).filter(([name, value]) => typeof value === typeof defaults[name as keyof Preferences]);
     return { ...defaults, ...Object.fromEntries(known) };
   } catch {
-    return { ...defaults }; // storage is forbidden or holds something else
+    return { ...defaults }; // storage is forbidden, or its content is not ours
   }
 }
 
-/** What the user chose, kept in this browser. */
+/** The user's choices, stored in this browser. */
 export const preferences = new Signal<Preferences>(load());
 
 export function prefer(change: Partial<Preferences>): void {
@@ -48,6 +48,6 @@ export function prefer(change: Partial<Preferences>): void {
   try {
     localStorage.setItem(KEY, JSON.stringify(preferences.value));
   } catch {
-    // The choice then lasts as long as the page.
+    // Without storage, the choice lasts as long as the page.
   }
 }

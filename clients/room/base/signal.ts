@@ -1,4 +1,4 @@
-/** A value that calls its followers when it changes, at once and in the order in which they began to follow. */
+/** An observable value. It calls its followers synchronously when it changes, in the order in which they subscribed. */
 export class Signal<T> {
   private readonly followers = new Set<(value: T) => void>();
 
@@ -13,12 +13,12 @@ export class Signal<T> {
     this.announce();
   }
 
-  /** Calls the followers although the value is the same object, because something inside it changed. */
+  /** Calls the followers although the value is the same object, because something inside the object changed. */
   announce(): void {
     for (const follower of [...this.followers]) follower(this.current);
   }
 
-  /** Calls the follower now and after every change; the answer ends it. */
+  /** Calls the follower now and after every change. Returns a function that unsubscribes it. */
   follow(follower: (value: T) => void): () => void {
     this.followers.add(follower);
     follower(this.current);
@@ -26,7 +26,7 @@ export class Signal<T> {
   }
 }
 
-/** Calls `draw` once per turn of the event loop, however many of the signals have changed in it. */
+/** Calls `draw` at most once per turn of the event loop, however many of the signals have changed. */
 export function follow(signals: ReadonlyArray<Signal<any>>, draw: () => void): void {
   let waiting = false;
   const later = () => {

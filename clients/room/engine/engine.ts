@@ -3,7 +3,7 @@ import { Signal } from "../base/signal";
 import { editsTo } from "../marker/edits";
 import type { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
-import { hasCode, inWords } from "../session/words";
+import { hasCode, errorText } from "../session/messages";
 import { say } from "../texts/texts";
 import { lengthText } from "../texts/units";
 import type { Scene } from "../view/scene";
@@ -20,13 +20,13 @@ export interface Run {
   round: number;
   curve: CurvePoint[];
   best: number | undefined;
-  /** Whether it ends as soon as it has handed over what it has found. */
+  /** Whether it will end as soon as it has delivered its best result. */
   stopping: boolean;
   searching: boolean;
   stop(): void;
 }
 
-// What every motion answers, as far as a result needs it.
+// The fields of every motion's answer that a result needs.
 interface MotionAnswer {
   revision: number;
   lengthBefore: number;
@@ -36,7 +36,7 @@ interface MotionAnswer {
 }
 type Choice<M extends Motion> = Omit<Params<M>, "markerId" | "baseRev" | "commit">;
 
-/** Runs motions without committing them, and keeps what they offer until the user takes or drops it. */
+/** Runs motions without committing them, and keeps their results until the user takes or drops them. */
 export class Engine {
   readonly run = new Signal<Run | undefined>(undefined);
   readonly preview = new Signal<Result | undefined>(undefined);
@@ -76,11 +76,11 @@ export class Engine {
     this.scene.onChange("moving");
   }
 
-  /** Runs a motion; its result is looked at before it is taken. `failure` says in words why an answer has none. */
+  /** Runs a motion and previews its result, which the user may take. `failure` returns a message if an answer has no result. */
   async start<M extends Motion>(method: M, choice: Choice<M>, title: string, failure: (answer: Answer<M>) => string | undefined = () => undefined): Promise<void> {
     if (this.run.value) return;
     await this.takeOrDrop(true);
-    await this.underWay(title, async (run, signal, since) => {
+    await this.withRun(title, async (run, signal, since) => {
       const client = await this.desk.link.ready();
       const start = this.desk.marker.value!.poses();
       const { markerId } = this.desk;
@@ -96,28 +96,28 @@ export class Engine {
     });
   }
 
-  /** Lays all pieces out like those of the most similar stored markers. */
+  /** Arranges all pieces like those of the most similar stored markers. */
   remake(): Promise<void> {
     const title = say("fromLibrary");
     return this.start("marker.remake", {}, title, (answer) => (answer.outcome === "none_near" ? say("noneNear") : answer.outcome === "not_apart" ? say("notApart") : undefined));
   }
 
-  /** Searches until it is stopped, and shows the best so far. */
+  /** Searches until it is stopped, and shows the best result so far. */
   async search(wanted: Search, title: string): Promise<void> {
     if (this.run.value) return;
     await this.takeOrDrop(true);
-    await this.underWay(title, async (run, signal, since) => {
+    await this.withRun(title, async (run, signal, since) => {
       run.searching = true;
       const client = await this.desk.link.ready();
       const marker = this.desk.marker.value!;
       const start = marker.poses();
       const { revision, length } = this.desk.figures.value;
-      const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all comes first
+      const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all pieces has priority
       await search(wanted, client, marker.toDocument(), best, signal, {
         goesOn: () => !run.stopping,
         round: (round, best) => this.round(run, round, best, since),
         better: (answer, placements) => {
-          if (this.preview.value && this.preview.value.title !== title) return; // something else is looked at
+          if (this.preview.value && this.preview.value.title !== title) return; // the user is looking at another result
           this.offer(title, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
         },
       }, this.desk.link.alone ? "page" : "daemon");
@@ -132,24 +132,24 @@ export class Engine {
     this.run.announce();
   }
 
-  private async underWay(title: string, act: (run: Run, signal: AbortSignal, since: number) => Promise<void>): Promise<void> {
+  private async withRun(title: string, act: (run: Run, signal: AbortSignal, since: number) => Promise<void>): Promise<void> {
     if (this.run.value || !this.desk.marker.value) return;
     const controller = new AbortController();
     const since = performance.now();
-    // A marker that lacks pieces is shorter than any result.
+    // The length of a marker with unplaced pieces cannot be compared with that of a result.
     const curve = this.desk.marker.value.unplaced.length > 0 ? [] : [{ seconds: 0, length: this.desk.figures.value.length }];
     const run: Run = { title, round: 0, curve, best: undefined, stopping: false, searching: false, stop: () => this.stop(run, controller) };
     this.run.value = run;
     try {
       await act(run, controller.signal, since);
     } catch (error) {
-      if (!hasCode(error, Code.Cancelled)) this.tell(inWords(error));
+      if (!hasCode(error, Code.Cancelled)) this.tell(errorText(error));
     } finally {
       this.run.value = undefined;
     }
   }
 
-  // A search that has found something better than what it has shown ends with it; asked twice, or without, it ends at once.
+  // A search that has found a shorter marker than the one shown first delivers it. Otherwise, or when stopped again, it ends at once.
   private stop(run: Run, controller: AbortController): void {
     const shown = this.preview.value?.length ?? this.desk.figures.value.length;
     const found = run.searching && run.best !== undefined && run.best < shown - 1e-9;
@@ -172,7 +172,7 @@ export class Engine {
     };
   }
 
-  /** Brings all pieces to their places in the result: one step to undo. */
+  /** Moves all pieces to their places in the result, which one undo takes back. */
   async take(result = this.preview.value): Promise<void> {
     const marker = this.desk.marker.value;
     if (!result || !marker) return;
@@ -181,22 +181,22 @@ export class Engine {
       if (ops.length > 0) await this.desk.apply(ops);
       this.tell(say("taken", { length: lengthText(this.desk.figures.value.length) }));
     } catch (error) {
-      this.tell(inWords(error));
+      this.tell(errorText(error));
     }
     if (this.preview.value === result) this.preview.value = undefined;
     this.beside.value = this.beside.value.filter((kept) => kept !== result);
     if (this.compared.value === result) this.compared.value = undefined;
   }
 
-  /** Keeps the result in view or, without one, the marker as it is, so that it can be compared with what comes later. */
+  /** Keeps the previewed result or, without one, the current revision, so that it can be compared with later results. */
   keepBeside(): void {
-    const result = this.preview.value ?? this.present();
+    const result = this.preview.value ?? this.currentRevision();
     if (!result) return;
     this.beside.value = [...this.beside.value, result];
     this.preview.value = undefined;
   }
 
-  private present(): Result | undefined {
+  private currentRevision(): Result | undefined {
     const marker = this.desk.marker.value;
     if (!marker) return undefined;
     const { revision, length, utilisation } = this.desk.figures.value;
@@ -214,7 +214,7 @@ export class Engine {
     this.beside.value = this.beside.value.filter((kept) => kept !== result);
   }
 
-  /** Before other work begins: who goes on working with a result in view has accepted it. */
+  /** Ends the preview before other work begins; a user who goes on working with a previewed result has accepted it. */
   async takeOrDrop(taking: boolean): Promise<void> {
     if (!this.preview.value) return;
     if (taking) await this.take();

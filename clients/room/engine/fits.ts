@@ -1,18 +1,18 @@
-// Which regions of free cloth have room for a piece.
+// Finds the regions of free cloth into which a piece fits.
 import type { Answer, Client } from "../../typescript/src/index";
 import type { Marker, Piece } from "../marker/marker";
 
-const NODES = 2000; // of the exact search in one region
-const MOST = 400; // regions that are asked about, the largest of them
-const CORNERS = 1000; // of a region that the daemon takes as a room
+const NODES = 2000; // limit of the exact search in one region
+const MOST = 400; // number of regions that are searched, the largest first
+const CORNERS = 1000; // largest number of points that the daemon accepts for a room
 
 export type Regions = Answer<"marker.regions">;
 
-/** The smallest piece that may move: what does not take it takes none that is larger in every direction. */
+/** The piece of the smallest area that may move. */
 export const smallestOf = ({ pieces }: Marker): Piece | undefined =>
   pieces.reduce<Piece | undefined>((least, piece) => (piece.locked === false && (!least || piece.shape.area < least.shape.area) ? piece : least), undefined);
 
-/** Goes through the regions that are as large as the piece, the largest first, and says of each whether an exact search fits the piece into it. */
+/** Checks by an exact search, for each region that is large enough, whether the piece fits into it; the largest region comes first. */
 export async function* fitting(client: Client, { markerId, regions }: Regions, { id, shape }: Piece): AsyncGenerator<{ index: number; fits: boolean }> {
   const asked = regions
     .map(({ area, outline }, index) => ({ area, outline, index }))

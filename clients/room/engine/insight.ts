@@ -4,18 +4,18 @@ import type { Desk } from "../session/desk";
 import type { Scene } from "../view/scene";
 import { fitting, smallestOf, type Regions } from "./fits";
 
-const MANY = 1000; // pieces of a marker whose critical path is not asked for merely because a piece is selected
+const MANY = 1000; // in markers with more pieces, selecting a piece is no reason to request the critical path
 
-/** What an answer is about. */
+/** The marker and the revision that an answer is about. */
 type Asked = Pick<Regions, "markerId" | "revision">;
 
-/** What the daemon says of the present revision: its critical path and its free cloth, asked for only while they are shown. */
+/** The critical path and the free cloth of the current revision, which are requested only while they are shown. */
 export class Insight {
   readonly chainShown = new Signal(false);
   readonly regionsShown = new Signal(false);
   readonly chain = new Signal<Answer<"marker.hold"> | undefined>(undefined);
   readonly regions = new Signal<Regions | undefined>(undefined);
-  /** The indices of the regions that have room for the smallest piece, as far as they have been asked about. */
+  /** The indices of the regions into which the smallest piece fits, as far as they have been searched. */
   readonly fits = new Signal<ReadonlySet<number>>(new Set());
   /** How much the marker's length depends on each piece: the load of the contacts on its left. */
   readonly worth = new Signal<ReadonlyMap<string, number>>(new Map());
@@ -38,7 +38,7 @@ export class Insight {
     this.renew();
   }
 
-  /** Whether one piece is selected, and may tilt: what a degree is worth is then written on it. */
+  /** Whether exactly one piece is selected and may tilt: the worth of a degree is then written on it. */
   private get mayTilt(): boolean {
     const [only, ...others] = this.scene.selected();
     return only !== undefined && others.length === 0 && only.shape.tiltLimit > 0 && this.scene.marker!.pieces.length <= MANY;
@@ -63,22 +63,22 @@ export class Insight {
       }
       if (this.regionsShown.value && !known(this.regions.value)) {
         this.regions.value = await client.call("marker.regions", { markerId, deadlineMs: 20_000 });
-        void this.findFits(client, this.regions.value).catch(() => {}); // the next revision asks again
+        void this.findFits(client, this.regions.value).catch(() => {}); // repeated for the next revision
       }
     } catch {
-      return; // the next revision asks again
+      return; // repeated for the next revision
     }
     this.show();
   }
 
-  // Shows what fits as it is found, for as long as these regions are shown.
+  // Shows the regions that fit as they are found, for as long as these regions are shown.
   private async findFits(client: Client, regions: Regions): Promise<void> {
     this.fits.value = new Set();
     const piece = this.desk.marker.value && smallestOf(this.desk.marker.value);
     if (!piece) return;
     for await (const { index, fits } of fitting(client, regions, piece)) {
       if (this.regions.value !== regions || !this.isCurrent(regions)) return;
-      if (!this.regionsShown.value) return void (this.regions.value = undefined); // asked anew when they are shown again
+      if (!this.regionsShown.value) return void (this.regions.value = undefined); // requested again when they are shown again
       if (!fits) continue;
       this.fits.value = new Set([...this.fits.value, index]);
       this.show();
@@ -100,7 +100,7 @@ export class Insight {
   }
 }
 
-// Each contact loads both its pieces; a piece passes on to the right what it takes from the left.
+// The load of a contact is split between its two pieces, because a piece passes on to its right the load from its left.
 function worths(chain: Answer<"marker.hold">): Map<string, number> {
   const loads = new Map<string, number>();
   const add = (id: string | undefined, worth: number) => id !== undefined && loads.set(id, (loads.get(id) ?? 0) + worth / 2);

@@ -7,27 +7,28 @@ import type { Desk } from "../session/desk";
 import type { Ghost, Scene } from "../view/scene";
 
 const MOST_CALLS = 48;
-const NODES = 2000; // of the exact search in one part of a region
-const ALONG = 6; // parts of a large region along the strip
+const NODES = 2000; // limit of the exact search in one part of a region
+const ALONG = 6; // number of parts of a large region along the strip
 const ACROSS = 2;
 
 /**
- * Where an unplaced piece fits on the cloth as it is. The daemon names the regions that no piece covers, and says of each by an
- * exact search whether the piece fits into it; of a large one also of its parts. Places appear as they are found.
+ * Finds the places where an unplaced piece fits while the other pieces stay. The daemon returns the regions that no piece covers,
+ * and an exact search says for each region, and for each part of a large region, whether the piece fits into it. Places appear as
+ * they are found.
  */
 export class Places {
   readonly piece = new Signal<Unplaced | undefined>(undefined);
   readonly searching = new Signal(false);
-  /** Counts what is found and chosen: the ghosts themselves are in the scene. */
+  /** Counts changes of the places and of the chosen place, which are in the scene. */
   readonly changed = new Signal(0);
-  private asked = 0; // the revision that was asked about
-  private question = 0; // a newer one makes the answers to older ones void
+  private searched = 0; // the revision that was searched
+  private searches = 0; // a newer search makes the answers of older ones void
 
   constructor(
     private readonly desk: Desk,
     private readonly scene: Scene,
   ) {
-    desk.figures.follow(({ revision }) => revision !== this.asked && this.goOn());
+    desk.figures.follow(({ revision }) => revision !== this.searched && this.goOn());
     desk.marker.follow(() => this.goOn());
   }
 
@@ -37,13 +38,13 @@ export class Places {
   }
 
   end(): void {
-    this.question += 1;
+    this.searches += 1;
     this.piece.value = undefined;
     this.searching.value = false;
-    this.tell([], 0);
+    this.publish([], 0);
   }
 
-  // The marker has changed: the same piece is asked for again or, when it lies on the cloth now, the next of its shape.
+  // When the marker has changed, searches again for the same piece or, if it was placed, for another one of its shape.
   private goOn(): void {
     const { value } = this.piece;
     if (!value) return;
@@ -53,7 +54,7 @@ export class Places {
     else this.end();
   }
 
-  private tell(places: Ghost[], at: number): void {
+  private publish(places: Ghost[], at: number): void {
     this.scene.places = places;
     this.scene.placeAt = at;
     this.changed.value += 1;
@@ -61,9 +62,9 @@ export class Places {
   }
 
   private async find(piece: Unplaced): Promise<void> {
-    const question = ++this.question;
-    this.asked = this.desk.figures.value.revision;
-    this.tell([], 0);
+    const search = ++this.searches;
+    this.searched = this.desk.figures.value.revision;
+    this.publish([], 0);
     this.searching.value = true;
     try {
       const client = await this.desk.link.ready();
@@ -75,15 +76,15 @@ export class Places {
         let parts = [whole];
         for (let k = 0; k < parts.length && left > 0; ++k, --left) {
           const pose = await placeIn(client, markerId, piece.id, parts[k]!);
-          if (question !== this.question) return;
+          if (search !== this.searches) return;
           if (pose) this.add(piece, pose);
           if (pose && k === 0) parts = [whole, ...partsOf(whole, new Pose(0, 0, pose.rotation, pose.flip, 0).boxOf(piece.shape))];
         }
       }
     } catch {
-      // The marker has changed meanwhile or is not valid now: the next revision asks again.
+      // The marker has changed in the meantime, or is not valid: the search is repeated for the next revision.
     } finally {
-      if (question === this.question) this.searching.value = false;
+      if (search === this.searches) this.searching.value = false;
     }
   }
 
@@ -91,10 +92,10 @@ export class Places {
     const { marker, places, placeAt } = this.scene;
     const near = piece.shape.extent / 50;
     const known = places.some(({ pose: { x, y, rotation, flip } }) => Math.hypot(x - pose.x, y - pose.y) < near && rotation === pose.rotation && flip === pose.flip);
-    if (marker && !known) this.tell([...places, { piece: marker.asPlaced(piece, pose), pose }], placeAt);
+    if (marker && !known) this.publish([...places, { piece: marker.asPlaced(piece, pose), pose }], placeAt);
   }
 
-  /** The place at a point of the cloth; -1: none. */
+  /** The index of the place at a point of the cloth; -1 if there is none. */
   at([x, y]: Point): number {
     return this.scene.places.findIndex(({ piece, pose }) => contains(piece.shape.outline, ...pose.unplace(x, y)));
   }
@@ -102,14 +103,14 @@ export class Places {
   choose(place: number): void {
     const { places, placeAt } = this.scene;
     const next = places.length === 0 ? 0 : (place + places.length) % places.length;
-    if (next !== placeAt) this.tell(places, next);
+    if (next !== placeAt) this.publish(places, next);
   }
   step(by: 1 | -1): void {
     this.choose(this.scene.placeAt + by);
   }
 }
 
-// The first place that an exact search finds within the box, which must be free of all other pieces.
+// The first place that an exact search finds within the box.
 async function placeIn(client: Client, markerId: string, piece: string, { left, bottom, right, top }: Box): Promise<Pose | undefined> {
   const room: Point[] = [[left, bottom], [right, top]];
   const { verdict, placements } = await client.call("motion.contain", { markerId, pieces: [piece], room, nodes: NODES, commit: false });

@@ -1,18 +1,18 @@
-// What rules cost, from the dual values that the daemon names with the critical path.
+// The prices of rules, from the dual values that the daemon reports with the critical path.
 import type { Answer } from "../../typescript/src/index";
 import type { Marker, Piece } from "../marker/marker";
 import type { TextName } from "../texts/texts";
 
-/** A rule, and how much shorter the marker would be for each unit by which it gave way. */
+/** A rule, and how much shorter the marker would be for each unit by which the rule were relaxed. */
 export interface Price {
   readonly text: TextName;
-  readonly name: string; // of whose rule it is; "" for the marker's own
-  readonly way: string; // an arrow, where it would have to give way in a direction
-  readonly piece: string | undefined; // which shows where it is
+  readonly name: string; // of the piece or shade that has the rule; "" for rules of the marker
+  readonly way: string; // an arrow, if the piece would have to move in a certain direction
+  readonly piece: string | undefined; // the piece to show for this rule
   readonly worth: number;
 }
 
-/** A rule of cloth as the daemon may name it: which one, whose, and its worth. */
+/** A price of a cloth rule as the daemon reports it: the rule, the piece or shade that has it, and its worth. */
 interface RulePrice {
   rule: string;
   piece?: string;
@@ -23,7 +23,7 @@ interface RulePrice {
 const LEAST = 0.0005;
 const RULES: Record<string, TextName> = { below: "ruleBelow", above: "ruleAbove", from: "ruleFrom", to: "ruleTo", fold: "ruleFold", shade: "ruleShade", matchX: "ruleMatch", matchY: "ruleMatch" };
 
-/** All that costs length, the dearest first. */
+/** Everything that costs length, the most expensive first. */
 export function pricesOf(chain: Answer<"marker.hold">, marker: Marker): Price[] {
   const nameOf = (id: string) => marker.byId.get(id)?.shape.label ?? id;
   const whole = (text: TextName, worth: number): Price => ({ text, name: "", way: "", piece: undefined, worth });
@@ -44,7 +44,7 @@ export function pricesOf(chain: Answer<"marker.hold">, marker: Marker): Price[] 
   return prices.filter(({ worth }) => worth >= LEAST).sort((a, b) => b.worth - a.worth);
 }
 
-// A unit more of width is a unit more of room at the upper edge.
+// Increasing the width by a unit moves the upper edge by a unit.
 const loadOnTop = ({ contacts }: Answer<"marker.hold">) => contacts.reduce((sum, { edge, worth }) => sum + (edge === "top" ? worth : 0), 0);
 
 const bufferWorth = ({ contacts }: Answer<"marker.hold">, { id }: Piece) =>

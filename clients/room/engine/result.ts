@@ -3,7 +3,7 @@ import type { Marker } from "../marker/marker";
 import { Pose } from "../marker/pose";
 import type { Ghost } from "../view/scene";
 
-/** A marker that the engine offers, or that was kept: where every piece would lie, and how long the marker would be. */
+/** A result of the engine, or a revision that was kept: the poses of all pieces, and the length of the marker. */
 export interface Result {
   readonly id: number;
   readonly title: string;
@@ -12,7 +12,7 @@ export interface Result {
   readonly before: number; // the length of that revision
   readonly length: number;
   readonly utilisation: number;
-  readonly seconds: number | undefined; // that it took; undefined: it is a revision of the marker
+  readonly seconds: number | undefined; // how long it took; undefined for a revision of the marker
   readonly poses: ReadonlyMap<string, Pose>;
 }
 
@@ -23,7 +23,7 @@ export function posesAfter(start: ReadonlyMap<string, Pose>, placements: readonl
   return poses;
 }
 
-/** The unplaced pieces that lie on the cloth in the result. */
+/** The unplaced pieces that the result places on the cloth. */
 export const newcomers = (marker: Marker, poses: ReadonlyMap<string, Pose>): Ghost[] =>
   marker.unplaced.flatMap((piece) => {
     const pose = poses.get(piece.id);

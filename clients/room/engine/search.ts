@@ -1,19 +1,19 @@
 import type { Answer, Client } from "../../typescript/src/index";
 import type { MarkerDocument } from "../marker/document";
 
-const FIRST = 1500; // milliseconds of the first turn
-const PATIENCE = 45_000; // milliseconds of turns in vain, after which a search ends
-/** Milliseconds of the longest turn: where the engine runs in the page, it answers nothing else during one. */
+const FIRST = 1500; // time limit of the first call in milliseconds
+const PATIENCE = 45_000; // a search ends after this many milliseconds without an improvement
+/** The longest time limit of a call in milliseconds; it is shorter in the page, whose engine answers nothing else during a call. */
 const LONGEST = { daemon: 24_000, page: 3000 };
 
-/** What is searched for: a fine compaction, a new layout, room for small pieces, or windows that fit better when placed anew. */
+/** The kind of search: fine compaction, nesting, filling gaps, or exact compaction of one window of pieces after another. */
 export type Search =
   | { kind: "fine" | "nest" | "fillGaps" }
-  | { kind: "compactExactly"; among?: string[] }; // windows with one of these pieces; absent: all windows
+  | { kind: "compactExactly"; among?: string[] }; // only windows with one of these pieces; all windows when absent
 type Answered = Pick<Answer<"motion.compact">, "revision" | "lengthBefore" | "lengthAfter" | "utilisationAfter" | "stop">;
 type Placements = Answer<"motion.compact">["placements"];
 
-/** What a search reports while it runs, and whether it should begin another turn. */
+/** Receives the progress of a search, and decides whether it should make another call. */
 export interface SearchListener {
   goesOn(): boolean;
   round(round: number, length: number): void;
@@ -21,9 +21,9 @@ export interface SearchListener {
 }
 
 /**
- * A search that shows its best marker on the way and can be stopped at any time with the best so far. It works on a copy of the
- * marker, in turns with a time limit: after each turn the copy holds the best found. A turn that gains nothing is followed by one
- * up to twice as long. `best` is the length that a result has to beat.
+ * A search that reports its best marker while it runs and can be stopped at any time. It works on a copy of the marker with a
+ * series of calls that have a time limit; after each call the copy is the best marker found. A call without an improvement is
+ * followed by one of up to twice its time limit. `best` is the length that a result has to beat.
  */
 export async function search(wanted: Search, client: Client, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener, where: keyof typeof LONGEST): Promise<void> {
   const copy = { ...document, name: `${document.name ?? ""} (search)` } as unknown as Record<string, unknown>;
@@ -55,7 +55,7 @@ export async function search(wanted: Search, client: Client, document: MarkerDoc
   }
 }
 
-// One turn, of so many milliseconds; the number is the seed of what is drawn at random.
+// Starts a call with this time limit; the number is the seed of its random choices.
 function startTurn(wanted: Search, client: Client, markerId: string, deadlineMs: number, number: number, signal: AbortSignal) {
   switch (wanted.kind) {
     case "fine": return client.start("motion.compact", { markerId, accuracy: "fine", deadlineMs }, { signal });
@@ -68,7 +68,7 @@ function startTurn(wanted: Search, client: Client, markerId: string, deadlineMs:
   }
 }
 
-// All that has moved since the copy was opened.
+// The placements of all pieces that have moved since the copy was opened.
 async function placementsOf(client: Client, markerId: string): Promise<Placements> {
   const { placements, marker } = await client.call("marker.get", { markerId, since: 1 });
   if (placements) return placements;

@@ -2,12 +2,12 @@ import type { Client } from "../../typescript/src/index";
 import type { Piece } from "../marker/marker";
 import type { Desk } from "../session/desk";
 
-const MOST = 8; // pieces that are announced; the daemon allows 16 drags on one connection
+const MOST = 8; // number of pieces that are announced; the daemon allows 16 drag sessions on one connection
 
 /**
- * Announces to other users which pieces are dragged while only this page moves them, by drag sessions without moves. The function
- * that is returned ends them, and is done when the ends have been sent: others hear of what is sent then after them. Without a
- * connection nothing is announced, and the pieces are merely not marked.
+ * Announces to other users which pieces are being dragged while only this page moves them, by drag sessions without moves. The
+ * returned function ends these sessions. Its promise resolves when the requests have been sent, so that whatever is sent
+ * afterwards reaches other users later. Without a connection nothing is announced.
  */
 export function announceDrag(desk: Desk, pieces: readonly Piece[]): () => Promise<void> {
   const { markerId } = desk;

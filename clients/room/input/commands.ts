@@ -4,7 +4,7 @@ import { nextRotation } from "../marker/edits";
 import type { Piece, Repeat } from "../marker/marker";
 import { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
-import { inWords } from "../session/words";
+import { errorText } from "../session/messages";
 import { say } from "../texts/texts";
 import { lengthText, millimetre } from "../texts/units";
 import type { Scene } from "../view/scene";
@@ -12,7 +12,7 @@ import { after, type Settling } from "./settling";
 
 const TILT_STEP = 0.25; // degrees
 
-/** What keys and buttons do to the selected pieces. Each is carried out after the one before it. */
+/** The commands of keys and buttons on the selected pieces, which are carried out one after another. */
 export class Commands {
   private line: Promise<unknown> = Promise.resolve();
   private tilting = 0;
@@ -25,15 +25,15 @@ export class Commands {
     private readonly tell: (text: string) => void,
   ) {}
 
-  /** Carries out actions one after another, and shows what was refused. */
+  /** Carries out actions one after another, and shows the message of an action that fails. */
   queue(act: () => Promise<unknown>): Promise<void> {
     const done = this.line.then(() => this.engine.takeOrDrop(true)).then(act);
-    const told = done.then(() => {}, (error) => this.tell(inWords(error)));
-    this.line = told;
-    return told;
+    const settled = done.then(() => {}, (error) => this.tell(errorText(error)));
+    this.line = settled;
+    return settled;
   }
 
-  /** Fulfilled when all that was begun before is done. */
+  /** Resolves when all commands that were queued before are done. */
   idle(): Promise<unknown> {
     return this.line;
   }
@@ -41,7 +41,7 @@ export class Commands {
   undo = (): Promise<void> => (this.engine.preview.value ? Promise.resolve(this.engine.drop()) : this.queue(this.desk.undo));
   redo = (): Promise<void> => this.queue(this.desk.redo);
 
-  /** Slides each selected piece as far as it goes. */
+  /** Slides each selected piece until it touches another one. */
   bump(direction: Point): Promise<void> {
     return this.queue(async () => {
       const pieces = [...this.scene.selected()].sort((a, b) => b.box.right * direction[0] + b.box.top * direction[1] - a.box.right * direction[0] - a.box.top * direction[1]);
@@ -62,7 +62,7 @@ export class Commands {
     });
   }
 
-  /** Bumps along and across in turn, until the piece lies in the corner. */
+  /** Bumps along and across alternately until the piece lies in the corner. */
   shoot([along, across]: Point): Promise<void> {
     return this.queue(() =>
       this.desk.gesture(async () => {
@@ -107,7 +107,7 @@ export class Commands {
     });
   }
 
-  /** Tilts by steps of a quarter of a degree, counter-clockwise. Steps that come while one is carried out are added up. */
+  /** Tilts by steps of a quarter of a degree, counter-clockwise. Steps that are requested while another is carried out are added up. */
   tilt(steps: number): Promise<void> {
     this.tilting += steps;
     return this.turn((piece) => {
@@ -161,7 +161,7 @@ export class Commands {
       if (!marker || !piece) return;
       const pose = new Pose(0, 0, piece.rotation, piece.flip, 0);
       const box = pose.boxOf(piece.shape);
-      // Beyond the end nothing is in its way; from there it goes where it is wanted.
+      // The piece is first placed beyond the end of the marker, where nothing is in its way, and moved from there.
       const beyond: Point = [this.desk.figures.value.length + marker.width - box.left, marker.margin - box.bottom];
       const wanted: Point = [to[0] - (box.left + box.right) / 2, to[1] - (box.bottom + box.top) / 2];
       const { rotation, flip } = piece;
@@ -190,7 +190,7 @@ export class Commands {
     const ops = this.scene.selected().map((piece): Edit => ({ op: "buffer", piece: piece.id, buffer: length }));
     return this.queue(() => this.settling.apply(ops));
   }
-  /** How deep the selected pieces may overlap others; undefined: as deep as the marker allows. */
+  /** Sets how far the selected pieces may overlap others; with undefined, the marker's allowance applies. */
   overlap(length: number | undefined): Promise<void> {
     const ops = this.scene.selected().map((piece): Edit => ({ op: "overlap", piece: piece.id, ...(length === undefined ? {} : { overlap: length }) }));
     return this.queue(() => this.settling.apply(ops));
@@ -202,15 +202,15 @@ export class Commands {
     return this.queue(() => this.settling.apply([{ op: "setSpacing", spacing: length }]));
   }
 
-  /** Changes rules of the selected pieces; a rule that is undefined ends. */
+  /** Changes rules of the selected pieces; a rule that is undefined is removed. */
   rules(change: (piece: Piece) => PieceRules): Promise<void> {
     return this.queue(() => this.settling.apply(this.scene.selected().map((piece): Edit => ({ op: "rules", piece: piece.id, rules: { ...piece.rules, ...change(piece) } }))));
   }
-  /** Changes the selvedges; null: the margin holds there. */
+  /** Changes the widths of the selvedges; with null, the margin applies. */
   strip(change: { below?: number | null; above?: number | null }): Promise<void> {
     return this.queue(() => this.settling.apply([{ op: "setStrip", ...change }]));
   }
-  /** Changes the pattern of the cloth; one without a repeat is none. */
+  /** Changes the pattern of the cloth; a pattern without a repeat is removed. */
   repeat(change: (known: Repeat) => Partial<Repeat>): Promise<void> {
     return this.queue(() => {
       const known = this.desk.marker.value?.repeat ?? { along: 0, across: 0, phase: [0, 0] as Point };
@@ -218,7 +218,7 @@ export class Commands {
       return this.settling.apply([{ op: "setStrip", repeat: changed.along > 0 || changed.across > 0 ? changed : {} }]);
     });
   }
-  /** The length within which the pieces of a shade lie; null: shades have no effect. */
+  /** Sets the length within which the pieces of a shade must lie; with null, shades have no effect. */
   shade(length: number | null): Promise<void> {
     return this.queue(() => this.settling.apply([{ op: "setShade", shade: length }]));
   }
@@ -241,7 +241,7 @@ export class Commands {
   }
 }
 
-/** The pose moved so that the middle of the piece's box stays where it is. */
+/** Moves the new pose so that the middle of the piece's box stays where it is. */
 function aboutItsMiddle({ shape, pose }: Piece, turned: Pose): Pose {
   const { left, right, bottom, top } = shape.box;
   const middle: Point = [(left + right) / 2, (bottom + top) / 2];

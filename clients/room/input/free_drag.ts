@@ -3,7 +3,7 @@ import type { Piece } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import type { Scene } from "../view/scene";
 
-/** A free drag: pieces may overlap others meanwhile; overlaps are drawn, and removed when the drag ends. */
+/** A free drag, during which pieces may overlap others. Overlaps are drawn, and removed when the drag ends. */
 export class FreeDrag {
   private readonly from: Map<string, Pose>;
   private to: Map<string, Pose>;
@@ -12,7 +12,7 @@ export class FreeDrag {
   constructor(
     private readonly scene: Scene,
     pieces: readonly Piece[],
-    private readonly untell: () => Promise<void>, // others that the pieces are in this hand
+    private readonly endAnnouncement: () => Promise<void>, // see announceDrag
     private readonly drop: (moved: Map<string, Pose>) => Promise<void>,
   ) {
     this.from = new Map(pieces.map((piece) => [piece.id, piece.pose]));
@@ -30,9 +30,9 @@ export class FreeDrag {
   async end(commit: boolean): Promise<void> {
     this.scene.free = false;
     if (this.scene.held === this.held) this.scene.held = new Set();
-    const told = this.untell();
+    const announcementEnded = this.endAnnouncement();
     if (commit) {
-      await told; // before they see the change
+      await announcementEnded; // other users must see the end of the drag before the change
       await this.drop(this.to);
     }
     if (this.scene.held.size === 0) this.scene.showPoses(new Map(), true);

@@ -12,7 +12,7 @@ import type { Pointer } from "./pointer";
 import { extentOf, gravity, openGapTowards, tool, type Tool } from "./tools";
 
 const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-// As these keys lie on a keyboard: upper left, lower left, upper right, lower right.
+// These keys form a rectangle on a keyboard: upper left, lower left, upper right, lower right.
 const CORNERS: Record<string, Point> = { Home: [-1, 1], End: [-1, -1], PageUp: [1, 1], PageDown: [1, -1] };
 const TOOLS: Record<string, Tool> = { v: "select", m: "ruler", g: "gap", a: "gravity" };
 
@@ -29,7 +29,7 @@ export interface Parts {
   tell(text: string): void;
 }
 
-/** What every key does. Keys of fields and open dialogues are left alone. */
+/** Handles all keys, except in fields and open dialogues. */
 export function listenForKeys(canvas: HTMLElement, parts: Parts): void {
   addEventListener("pointerdown", () => (document.body.dataset["keys"] = ""), true);
   addEventListener("keydown", (event) => {
@@ -76,7 +76,7 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
   if (chosen) return () => (tool.value = chosen);
   switch (key) {
     case "Tab": {
-      // At either end of the pieces Tab leaves the marker, so that the keyboard is never caught in it.
+      // At the first and the last piece, Tab leaves the marker, so that the canvas is not a keyboard trap.
       if (event.target !== canvas || atTheEnd(scene, event.shiftKey)) return undefined;
       return () => commands.step(event.shiftKey ? -1 : 1);
     }
@@ -103,7 +103,7 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
   }
 }
 
-// What is drawn with a tool, in the direction of an arrow key.
+// Applies the current tool in the direction of an arrow key.
 function byArrow(way: Point, { engine, scene, tell }: Parts): (() => void) | undefined {
   const { marker } = scene;
   const chosen = tool.value;
@@ -115,7 +115,7 @@ function byArrow(way: Point, { engine, scene, tell }: Parts): (() => void) | und
   };
 }
 
-// Lays the ruler across the selected pieces, or the marker, in the direction of an arrow key, and says the length.
+// Measures the selected pieces, or the marker, in the direction of an arrow key, and shows the length.
 function measureTowards(scene: Scene, way: Point, tell: (text: string) => void): void {
   const { left, right, bottom, top } = extentOf(scene.marker!, scene.selected(), scene.length);
   const middle: Point = [(left + right) / 2, (bottom + top) / 2];

@@ -2,16 +2,17 @@ import { Code, ConnectionLost, type Answer, type Client, type DragMode, type Poi
 import type { Piece } from "../marker/marker";
 import { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
-import { hasCode } from "../session/words";
+import { hasCode } from "../session/messages";
 import { times } from "../view/frame_times";
 import type { Scene } from "../view/scene";
 
 const MOST_UNANSWERED = 16;
-const APART = 8; // milliseconds from one sent position to the next, at least
+const APART = 8; // least time in milliseconds between two positions that are sent
 
 /**
- * A drag session of the daemon: every frame sends where the hand wants the piece, and the answers say where it and its
- * neighbours are. The outline follows the hand at once; while the last answer had reached the hand, so does the piece.
+ * A drag with a drag session of the daemon: the wanted position of the piece is sent for every frame, and the answers say where
+ * the piece and its neighbours are. The outline follows the pointer at once. The piece itself follows it, too, as long as the
+ * last answer says that the wanted position was reached.
  */
 export class LiveDrag {
   private dragId: string | undefined;
@@ -38,7 +39,7 @@ export class LiveDrag {
     private readonly piece: Piece,
     mode: DragMode,
     private readonly rescue: (to: Point) => Promise<void>,
-    before: Promise<unknown>, // what the hand did last may not be committed yet
+    before: Promise<unknown>, // earlier commands, which may not be committed yet
   ) {
     const shown = (one: Piece) => scene.shown.get(one.id) ?? one.pose;
     this.start = shown(piece);
@@ -68,7 +69,7 @@ export class LiveDrag {
     this.pump();
   }
 
-  // Sends the newest position: at once or, soon after another, when its time has come.
+  // Sends the latest position, at once or as soon as the least time since the previous one has passed.
   private pump(): void {
     if (this.waiting || this.dragId === undefined || this.sent === this.wanted || this.over || this.unanswered >= MOST_UNANSWERED) return;
     const pause = this.sentAt + APART - performance.now();
@@ -121,7 +122,7 @@ export class LiveDrag {
     const apart = Math.hypot(this.wanted[0] - x, this.wanted[1] - y) > 1e-6;
     scene.wanted = apart ? new Map(together.map((piece) => [piece.id, settle(piece, this.wanted)])) : new Map();
     if (answer) scene.length = answer.length;
-    // A neighbour that returned to its place stays on the upper layer, so that the lower one is not drawn again.
+    // A neighbour that returned to its place stays on the upper layer, so that the lower one need not be redrawn.
     for (const id of scene.shown.keys()) {
       const piece = scene.marker?.byId.get(id);
       if (piece && !poses.has(id)) poses.set(id, piece.pose);

@@ -4,7 +4,7 @@ import type { Engine } from "../engine/engine";
 import type { Places } from "../engine/places";
 import { isLocked, type Piece } from "../marker/marker";
 import type { Desk } from "../session/desk";
-import { inWords } from "../session/words";
+import { errorText } from "../session/messages";
 import { say } from "../texts/texts";
 import type { Scene } from "../view/scene";
 import type { Stage } from "../view/stage";
@@ -29,7 +29,7 @@ type Doing =
   | { kind: "place"; place: number }
   | { kind: "pinch"; middle: Point; apart: number };
 
-/** Mouse, pen and fingers on the canvas. */
+/** Handles mouse, pen and touch input on the canvas. */
 export class Pointer {
   private doing: Doing | undefined;
   private readonly down = new Map<number, Point>();
@@ -80,7 +80,7 @@ export class Pointer {
     this.canvas.dataset["doing"] = this.doing?.kind ?? "";
   }
 
-  // Selects what is pressed, unless it is selected already. Answers whether it was added to others.
+  // Selects the pressed piece, unless it is selected already. Returns whether it was added to the selection.
   private pick(piece: Piece, adding: boolean): boolean {
     const { selection } = this.scene;
     const together = this.scene.marker!.together(piece).map(({ id }) => id);
@@ -151,7 +151,7 @@ export class Pointer {
     if (together.some(({ id }) => this.desk.draggedByOthers.value.some((held) => held.piece === id))) this.tell(say("alsoInOtherHand", { name: piece.shape.label }));
     const several = this.scene.selected().filter((one) => !together.includes(one));
     if (this.engine.preview.value) {
-      // The result in view is taken first; the drag begins from it when the hand is still down.
+      // The previewed result is taken first; the drag starts from it if the pointer is still down.
       await this.engine.take();
       if (this.down.size !== 1) return;
     }
@@ -213,13 +213,13 @@ export class Pointer {
     this.scene.select(adding ? [...this.scene.selection.value, ...ids] : ids);
   }
 
-  /** Ends what is being done, and puts everything back. Answers whether there was something. */
+  /** Cancels the gesture in progress and undoes its effects. Returns whether there was one. */
   cancel(): boolean {
     const doing = this.doing;
     this.doing = undefined;
     const had = doing !== undefined || this.scene.stroke !== undefined;
     this.scene.stroke = undefined;
-    if (doing?.kind === "drag") doing.drag.end(false).catch((error) => this.tell(inWords(error)));
+    if (doing?.kind === "drag") doing.drag.end(false).catch((error) => this.tell(errorText(error)));
     this.scene.onChange("moving");
     return had;
   }

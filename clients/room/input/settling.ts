@@ -3,19 +3,19 @@ import { editsBetween } from "../marker/edits";
 import type { Piece } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
-import { inWords } from "../session/words";
+import { errorText } from "../session/messages";
 import { say } from "../texts/texts";
 
-const MAY_GROW = 0.1; // of the marker's length, when dropped pieces are separated
+const MAY_GROW = 0.1; // fraction of its length by which the marker may grow when dropped pieces are separated
 
-/** Edits by hand that may make pieces overlap, and what makes the marker valid again: all of it is one step to undo. */
+/** Applies edits that may make pieces overlap, and makes the marker valid again. One undo takes back both. */
 export class Settling {
   constructor(
     private readonly desk: Desk,
     private readonly tell: (text: string) => void,
   ) {}
 
-  /** Applies operations, and separates what overlaps then; when that fails, the marker stays as it was. */
+  /** Applies operations and separates the pieces that then overlap; if that fails, the marker does not change. */
   async apply(ops: Edit[], settled = say("separated")): Promise<boolean> {
     if (ops.length === 0) return true;
     try {
@@ -30,7 +30,7 @@ export class Settling {
         return false;
       });
     } catch (error) {
-      this.tell(say("refusedDrop", { why: inWords(error) }));
+      this.tell(say("refusedDrop", { why: errorText(error) }));
       return false;
     }
   }
@@ -52,7 +52,7 @@ export class Settling {
     return this.apply(pieces.flatMap((piece) => editsBetween(piece.id, piece.pose, to.get(piece.id) ?? piece.pose)));
   }
 
-  /** Puts a piece to the free position nearest to a point. Answers whether there is one. */
+  /** Moves a piece to the free position nearest to a point. Returns whether there is one. */
   async place(piece: string, to: Point): Promise<boolean> {
     return this.desk.change(async (client) => {
       const answer = await client.call("motion.place", { markerId: this.desk.markerId, piece, to, mayGrow: true });
@@ -63,7 +63,7 @@ export class Settling {
   }
 }
 
-/** What a motion's answer says of the marker after it, in the words of a change. */
+/** The figures of the marker after a motion, with the field names of a change. */
 export const after = (answer: { lengthAfter: number; utilisationAfter: number }) => ({
   length: answer.lengthAfter,
   utilisation: answer.utilisationAfter,

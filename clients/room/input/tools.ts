@@ -8,7 +8,7 @@ import { Signal } from "../base/signal";
 export type Tool = "select" | "ruler" | "gap" | "gravity";
 export const tool = new Signal<Tool>("select");
 
-/** The pieces beside a line are pushed away from it; the others only make way. */
+/** Pushes the pieces on both sides of a line away from it; other pieces move only to make way. */
 export function openGap(engine: Engine, marker: Marker, from: Point, to: Point): Promise<void> {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const length = Math.hypot(dx, dy);
@@ -25,7 +25,7 @@ export function openGap(engine: Engine, marker: Marker, from: Point, to: Point):
   return engine.start("motion.push", { forces }, say("toolGap").replace(/:.*/, ""));
 }
 
-/** The box around the pieces or, without any, around the marker. */
+/** The bounding box of the pieces or, if there are none, of the marker. */
 export function extentOf(marker: Marker, pieces: readonly Piece[], length: number): Box {
   const boxes = pieces.length > 0 ? pieces.map(({ box }) => box) : [{ left: 0, right: length, bottom: 0, top: marker.width }];
   return {
@@ -36,14 +36,14 @@ export function extentOf(marker: Marker, pieces: readonly Piece[], length: numbe
   };
 }
 
-/** Without a pointer: opens a gap along a line through the middle of the selected pieces, or of the marker, at right angles to the way. */
+/** Opens a gap without a pointer: along the line through the middle of the selected pieces, or of the marker, perpendicular to `way`. */
 export function openGapTowards(engine: Engine, marker: Marker, selected: readonly Piece[], length: number, way: Point): Promise<void> {
   const { left, right, bottom, top } = extentOf(marker, selected, length);
   const [x, y] = [(left + right) / 2, (bottom + top) / 2];
   return way[0] !== 0 ? openGap(engine, marker, [x, 0], [x, marker.width]) : openGap(engine, marker, [0, y], [length, y]);
 }
 
-/** All pieces fall the way of an arrow. */
+/** Moves all pieces in the direction of an arrow. */
 export const gravity = (engine: Engine, from: Point, to: Point): Promise<void> => {
   const size = Math.hypot(to[0] - from[0], to[1] - from[1]);
   return engine.start("motion.gravity", { force: [(to[0] - from[0]) / size, (to[1] - from[1]) / size] }, say("toolGravity").replace(/:.*/, ""));

@@ -1,2 +1,2 @@
-// A marker's document, as the TypeScript client describes it: generated from protocol/marker.schema.json.
+// The types of marker documents, which the TypeScript client generates from the daemon's description.
 export type { MarkerDocument, PieceDocument, ShapeDocument, UnplacedPieceDocument } from "../../typescript/src/index";

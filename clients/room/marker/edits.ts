@@ -2,7 +2,7 @@ import type { Edit } from "../../typescript/src/index";
 import type { Marker, Piece } from "./marker";
 import type { Pose } from "./pose";
 
-/** The operations that bring a piece from one pose to another. */
+/** The operations that move a piece from one pose to another. */
 export function editsBetween(piece: string, from: Pose, to: Pose): Edit[] {
   const edits: Edit[] = [];
   if (from.flip !== to.flip) edits.push({ op: "flip", piece, flip: to.flip });
@@ -13,7 +13,7 @@ export function editsBetween(piece: string, from: Pose, to: Pose): Edit[] {
   return edits;
 }
 
-/** The operations that bring all pieces of the marker, also unplaced ones, to the given poses; pieces without one stay. */
+/** The operations that move all pieces of the marker, also unplaced ones, to the given poses; pieces without a pose stay. */
 export function editsTo(marker: Marker, poses: ReadonlyMap<string, Pose>): Edit[] {
   const moves = marker.pieces.flatMap((piece) => {
     const pose = poses.get(piece.id);
@@ -26,7 +26,7 @@ export function editsTo(marker: Marker, poses: ReadonlyMap<string, Pose>): Edit[
   return [...moves, ...placings];
 }
 
-/** The rotation that follows the piece's own among those its shape allows; with "any", 15 degrees on. */
+/** The allowed rotation of the shape that follows the piece's current one; if any is allowed, the next step of 15 degrees. */
 export function nextRotation({ shape, pose }: Piece, steps: 1 | -1): number {
   if (shape.rotations === "any") return (((pose.rotation + 15 * steps) % 360) + 360) % 360;
   const allowed = [...shape.rotations].sort((a, b) => a - b);

@@ -9,18 +9,18 @@ export interface Piece {
   readonly id: string;
   readonly shape: Shape;
   readonly bundle: string;
-  /** Its place in the list of pieces. */
+  /** The index in the list of pieces. */
   index: number;
   pose: Pose;
   box: Box;
   locked: Locks;
   group: string;
   buffer: number;
-  overlap: number | undefined; // its own allowance; undefined: the marker's
+  overlap: number | undefined; // its own overlap allowance; if undefined, the marker's applies
   rules: PieceRules; // where on the strip it may lie
 }
 
-/** The pattern of the cloth: the lengths of its repeats, 0 where it has none, and a point at which one begins. */
+/** The pattern of the cloth: the lengths of its repeats, 0 for a direction without one, and a point at which a repeat begins. */
 export interface Repeat {
   along: number;
   across: number;
@@ -36,9 +36,9 @@ export interface Unplaced {
   readonly flip: boolean;
 }
 
-const FINEST = 1e6; // match points are set to millionths of the unit
+const FINEST = 1e6; // match points are rounded to millionths of the unit
 
-/** The point of a piece that lies where a repeat begins, as the piece lies now: the one nearest to where its label is. */
+/** The point of a piece that lies at the beginning of a repeat at the piece's current pose; the one nearest to its label. */
 export function matchAsItLies({ repeat }: Marker, { shape, pose }: Piece): Point {
   const at = pose.place([shape.spot.x, shape.spot.y]);
   const { along, across, phase } = repeat!;
@@ -55,7 +55,7 @@ const bundleOf = (document: PieceDocument | UnplacedPieceDocument): string => {
   return typeof bundle === "string" || typeof bundle === "number" ? String(bundle) : "";
 };
 
-/** The marker as this page knows it: always a revision that the daemon has acknowledged. */
+/** The marker as this page knows it, which is always a revision that the daemon has acknowledged. */
 export class Marker {
   readonly pieces: Piece[] = [];
   readonly unplaced: Unplaced[] = [];
@@ -99,7 +99,7 @@ export class Marker {
     this.unplaced.push({ id: String(id), shape, bundle: bundleOf(document) || shape.bundle, rotation, flip });
   }
 
-  /** An unplaced piece as it would be on the cloth; for drawing. */
+  /** An unplaced piece as if it were placed at this pose; for drawing. */
   asPlaced({ id, shape, bundle }: Unplaced, pose: Pose): Piece {
     return { id, shape, bundle, index: this.pieces.length, pose, box: pose.boxOf(shape), locked: false, group: "", buffer: 0, overlap: undefined, rules: {} };
   }
@@ -116,7 +116,7 @@ export class Marker {
     this.byId.set(piece.id, piece);
   }
 
-  /** Takes over what a change says of pieces. Answers false when it speaks of a piece or a shape that is not known here. */
+  /** Applies the placements of a change. Returns false if one of them is of a piece that is not known here. */
   absorb(placements: ReadonlyArray<Placement | PieceState>): boolean {
     for (const placement of placements) {
       const piece = this.byId.get(placement.id);
@@ -146,7 +146,7 @@ export class Marker {
     for (const id of ids) this.byId.delete(id);
   }
 
-  /** The topmost piece at a point of the cloth. `poseOf` says where a piece is shown. */
+  /** The topmost piece at a point of the cloth. `shown` has the poses of pieces that are shown elsewhere than at their own. */
   pieceAt([x, y]: Point, slack: number, shown: ReadonlyMap<string, Pose>): Piece | undefined {
     for (let k = this.pieces.length - 1; k >= 0; --k) {
       const piece = this.pieces[k]!;
@@ -159,12 +159,12 @@ export class Marker {
     return undefined;
   }
 
-  /** The pieces that move when this one does: itself, or its group. */
+  /** The pieces that move together with this one: itself, or its group. */
   together(piece: Piece): Piece[] {
     return piece.group ? this.pieces.filter((other) => other.group === piece.group) : [piece];
   }
 
-  /** The piece, and those that move with it, where they would lie with its origin at the point. */
+  /** The piece and those that move together with it, at the poses that they have when the piece's origin is at the point. */
   heldAt(id: string, [x, y]: Point): Array<{ piece: Piece; pose: Pose }> {
     const held = this.byId.get(id);
     if (!held) return [];
@@ -176,7 +176,7 @@ export class Marker {
     return new Map(this.pieces.map((piece) => [piece.id, piece.pose]));
   }
 
-  /** The document at the present poses, for files and for opening the marker again. */
+  /** The document with the current poses, for files and for opening the marker again. */
   toDocument(): MarkerDocument {
     const pieces = this.document.pieces.flatMap((piece): PieceDocument[] => {
       const known = this.byId.get(String(piece.id));

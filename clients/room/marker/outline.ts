@@ -1,4 +1,4 @@
-// Geometry of outlines, for drawing and picking only: whether a position is allowed is judged by the daemon alone.
+// Geometry of outlines, for drawing and picking only: the daemon alone decides whether a position is allowed.
 import type { Point } from "../../typescript/src/index";
 
 export interface Box {
@@ -55,7 +55,7 @@ function clearanceAt(points: readonly Point[], x: number, y: number): number {
   return Math.sqrt(nearest);
 }
 
-/** A point well inside, and its distance to the outline: where a label goes. Of points with room enough, the one nearest to the middle. */
+/** The position of a label: a point inside and its distance to the outline. Of points with enough room, it is the one nearest to the middle. */
 export function labelSpot(all: readonly Point[]): { x: number; y: number; radius: number } {
   const box = boxOf(all);
   const [wide, high] = [box.right - box.left, box.top - box.bottom];
@@ -74,7 +74,7 @@ export function labelSpot(all: readonly Point[]): { x: number; y: number; radius
   return spots.filter(({ radius }) => radius >= enough).reduce((best, spot) => (off(spot) < off(best) ? spot : best), spots.find(({ radius }) => radius >= enough) ?? middle);
 }
 
-/** Fewer points, none of the left-out ones farther from the new outline than the tolerance (Douglas and Peucker, 1973). */
+/** The outline with fewer points, where no removed point is farther from it than the tolerance (Douglas and Peucker, 1973). */
 export function simplified(points: readonly Point[], tolerance: number): Point[] {
   if (points.length < 12) return [...points];
   const kept = new Uint8Array(points.length);

@@ -2,7 +2,7 @@ import type { Placement, Point } from "../../typescript/src/index";
 import type { Box } from "./outline";
 import type { Shape } from "./shape";
 
-/** Where and how a piece lies: flipped, rotated and tilted about its shape's origin, then moved to (x, y). */
+/** The position and orientation of a piece: it is flipped, rotated and tilted about its shape's origin, then moved to (x, y). */
 export class Pose {
   readonly cos: number;
   readonly sin: number;
@@ -35,13 +35,13 @@ export class Pose {
     return x === other.x && y === other.y && rotation === other.rotation && flip === other.flip && tilt === other.tilt;
   }
 
-  /** From the shape's coordinates to the cloth's. */
+  /** Transforms a point from the shape's coordinates to the cloth's. */
   place([x, y]: Point): Point {
     const v = y * this.mirror;
     return [this.cos * x - this.sin * v + this.x, this.sin * x + this.cos * v + this.y];
   }
 
-  /** From the cloth's coordinates to the shape's. */
+  /** Transforms a point from the cloth's coordinates to the shape's. */
   unplace(x: number, y: number): Point {
     const dx = x - this.x;
     const dy = y - this.y;
@@ -60,7 +60,7 @@ export class Pose {
     return box;
   }
 
-  /** On the way to another pose: 0 is here, 1 is there. Turns the shorter way; flips half-way. */
+  /** Interpolates between this pose (part 0) and another one (part 1). It rotates the shorter way, and flips half-way. */
   towards(other: Pose, part: number): Pose {
     const mix = (a: number, b: number) => a + (b - a) * part;
     const turn = ((other.rotation + other.tilt - this.rotation - this.tilt + 540) % 360) - 180;

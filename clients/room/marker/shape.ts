@@ -12,7 +12,7 @@ const pathOf = (points: readonly Point[]): Path2D => {
 /** "charlie.front_38_L" is long for a label: "front 38 L". */
 const shortName = (name: string) => name.replace(/^[^.]*\.(?=.)/, "").replace(/_/g, " ").slice(0, 60);
 
-/** A shape and what is computed from it once. */
+/** A shape, with values that are computed from it once. */
 export class Shape {
   readonly id: string;
   readonly outline: readonly Point[];

@@ -3,7 +3,7 @@ import { say, wording, type TextName } from "../texts/texts";
 import { lengthText, parseLength, unitName } from "../texts/units";
 import { drawn, type IconName } from "./icons";
 
-// Panels are drawn anew with every revision: what follows the language must not keep their elements in memory.
+// Panels are rebuilt with every revision, so subscriptions to the language must not keep their elements in memory.
 const endings = new FinalizationRegistry<() => void>((end) => end());
 
 /** Keeps a text or an attribute of an element in the user's language, as long as the element exists. */
@@ -16,7 +16,7 @@ export function worded(element: Element, name: TextName, attribute?: string): vo
   endings.register(element, end);
 }
 
-/** A button with an icon; its name is its title and what is read out. */
+/** A button with an icon; its name is both its tooltip and its accessible name. */
 export function iconButton(name: IconName, title: TextName, act: () => void): HTMLButtonElement {
   const button = h("button", { class: "icon-button", type: "button", onclick: act }, drawn(name));
   worded(button, title, "title");
@@ -30,15 +30,15 @@ export function textButton(title: TextName, act: () => void, style = ""): HTMLBu
   return button;
 }
 
-/** Which lengths a field takes. */
+/** The lengths that a field accepts. */
 interface LengthField {
   id?: string;
   least?: number;
-  /** Whether the field may be empty: there is no such length then. */
+  /** Whether the field may be empty, which means that there is no such length. */
   mayBeEmpty?: boolean;
 }
 
-/** A field for a length in the user's unit. What it does not take is left as it was typed, and the field says what it takes. */
+/** A field for a length in the user's unit. An invalid text stays in the field, and a message says what is allowed. */
 export function lengthField(take: (length: number | undefined) => void, { id, least = 0, mayBeEmpty = false }: LengthField = {}): HTMLInputElement {
   const field: HTMLInputElement = h("input", { type: "text", inputmode: "decimal", size: 5, id, oninput: () => field.setCustomValidity(""), onchange: () => {
     const length = parseLength(field.value);
@@ -50,7 +50,7 @@ export function lengthField(take: (length: number | undefined) => void, { id, le
   return field;
 }
 
-/** Shows a length in its field, unless it is being edited there. */
+/** Shows a length in its field, unless the field is being edited. */
 export function showLength(field: HTMLInputElement, length: number | undefined): void {
   if (document.activeElement === field) return;
   field.setCustomValidity("");

@@ -13,7 +13,7 @@ function shape(name: string, attributes: Record<string, string | number>): SVGEl
   return element;
 }
 
-/** The best length over time, in steps. */
+/** A chart of the best length over time, in steps. */
 export function drawCurve(host: HTMLElement, points: readonly CurvePoint[]): void {
   if (points.length === 0) return fill(host);
   const longest = Math.max(...points.map(({ length }) => length));

@@ -51,7 +51,7 @@ export function openHelp(): void {
   const opened = dialog("help", h("div", { class: "keys" }, ...lines), h("div", { class: "buttons end" }, close));
 }
 
-/** Asks for the token as long as the daemon asks for it. */
+/** Shows a dialogue for the token while the daemon requires one. */
 export function askForToken(link: Link): void {
   let opened: HTMLDialogElement | undefined;
   let tried = false;

@@ -12,7 +12,7 @@ import type { Stage } from "../view/stage";
 import { heading, note, row, textButton, worded } from "./controls";
 import { drawCurve } from "./curve";
 
-/** The motions, the one in progress, and results kept for comparison. */
+/** The panel with the motions, the motion in progress, and the results kept for comparison. */
 export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, library: Library, scene: Scene, stage: Stage): void {
   const compact = (accuracy: Accuracy, title: TextName) => textButton(title, () => void engine.start("motion.compact", { accuracy }, say("compact")));
   const standard = compact("standard", "standard");
@@ -74,7 +74,7 @@ export function buildEnginePanel(host: HTMLElement, desk: Desk, engine: Engine, 
   follow([engine.beside, engine.compared, desk.figures, wording], () => drawBeside(beside, desk, engine));
 }
 
-/** The keyboard goes back to the marker when what it was at disappears. */
+/** Moves the keyboard focus to the marker when the focused element disappears. */
 function leave(host: HTMLElement): void {
   if (host.contains(document.activeElement)) document.getElementById("top")?.focus();
 }
@@ -121,7 +121,7 @@ function drawBeside(host: HTMLElement, desk: Desk, engine: Engine): void {
   fill(host, ...(cards.length > 0 ? cards : [h("p", { class: "note" }, say("besideNone"))]), first ?? null);
 }
 
-/** The result that is looked at: a bar over the canvas with what can be done with it. */
+/** The bar over the canvas for the previewed result, with buttons for what can be done with it. */
 export function buildOffer(host: HTMLElement, desk: Desk, engine: Engine): void {
   const take = textButton("take", () => void engine.take(), "primary");
   const title = h("span", { class: "offer-title" });

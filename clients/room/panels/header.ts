@@ -2,7 +2,7 @@ import { fill, h, setText } from "../base/dom";
 import { preferences } from "../base/preferences";
 import { follow } from "../base/signal";
 import type { Engine } from "../engine/engine";
-import type { Commands } from "../hand/commands";
+import type { Commands } from "../input/commands";
 import type { Desk } from "../session/desk";
 import { say, wording, type TextName } from "../texts/texts";
 import { lengthText, metres, numberText, percentText } from "../texts/units";
@@ -17,14 +17,14 @@ function figure(name: TextName, id: string): { box: HTMLElement; value: HTMLElem
   return { box: h("div", { class: "figure" }, label, h("span", { class: "figure-line" }, value, side)), value, side };
 }
 
-/** What a length of cloth costs, in one ply or in all. */
+/** The cost of a length of cloth, in one ply or in all plies. */
 export function moneyText(length: number, plies = 1): string {
   const { price, currency } = preferences.value;
   const cloth = metres(length);
   return cloth === undefined || price === 0 ? "" : `${numberText(cloth * price * plies, 2)} ${currency}`.trim();
 }
 
-/** The upper bar: the marker's name, undo and redo, and the figures that are always in sight. */
+/** The upper bar: the marker's name, undo and redo, and the figures that are always visible. */
 export function buildHeader(host: HTMLElement, desk: Desk, engine: Engine, commands: Commands, actions: { menu(from: HTMLElement): void; settings(): void; help(): void }): void {
   const name = h("span", { id: "marker-name" });
   const menu: HTMLButtonElement = h("button", { type: "button", class: "marker-button", id: "menu", "aria-haspopup": "menu", onclick: () => actions.menu(menu) }, name, drawn("down"));
@@ -48,7 +48,7 @@ export function buildHeader(host: HTMLElement, desk: Desk, engine: Engine, comma
     setText(length.value, lengthText(seen.length));
     setText(length.side, figures.value.valid ? "" : say("notValid"));
     setText(use.value, percentText(seen.utilisation));
-    // Lengths of markers with more pieces or fewer say nothing of each other.
+    // The lengths of markers with different numbers of pieces cannot be compared.
     const alike = opening?.poses.size === (engine.preview.value?.poses.size ?? marker.value.pieces.length);
     const saved = opening && alike ? opening.figures.length - seen.length : 0;
     setText(gain.value, !alike ? "–" : `${saved > 0 ? "−" : saved < 0 ? "+" : ""}${lengthText(Math.abs(saved))}`);

@@ -1,4 +1,4 @@
-// Icons of 20 by 20, drawn with lines of one width.
+// Icons of 20 by 20, drawn with lines of the same width.
 import { icon } from "../base/dom";
 
 const drawings = {

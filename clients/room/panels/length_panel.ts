@@ -12,7 +12,7 @@ import { moneyText } from "./header";
 import { heading, note, row } from "./controls";
 import { drawPrices } from "./price_list";
 
-/** What holds the length, what each rule costs, the free cloth, and money. */
+/** The panel that shows what determines the length, what each rule costs, the free cloth, and the cost of the cloth. */
 export function buildLengthPanel(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight): void {
   const why = h("div", { id: "why" });
   const cloth = h("div", { id: "cloth" });

@@ -6,9 +6,9 @@ import { lengthText, unitName, unitOf } from "../texts/units";
 import type { Scene } from "../view/scene";
 import { moneyText } from "./header";
 
-const MOST = 12; // rows
+const MOST = 12; // number of rows
 
-/** What each rule costs: length, and money in all plies, for each unit by which it gave way. */
+/** A table of the price of each rule: the length, and the money in all plies, for each unit by which the rule were relaxed. */
 export function drawPrices(prices: readonly Price[], unit: string, scene: Scene): HTMLElement {
   const by = unitOf({ unit });
   const { plies } = preferences.value;

@@ -4,7 +4,7 @@ import type { Desk } from "../session/desk";
 import { say, wording } from "../texts/texts";
 import { lengthText, numberText, percentText } from "../texts/units";
 
-/** The line at the bottom: the connection, the revision, how many pieces, and a warning when nothing is kept. */
+/** The line at the bottom: the connection, the revision, the number of pieces, and a warning if the daemon does not save markers. */
 export function buildStatus(host: HTMLElement, desk: Desk, keepsNothing: Signal<boolean>, legend: HTMLElement): void {
   const { link } = desk;
   const dot = h("span", { class: "dot" });
@@ -30,7 +30,7 @@ export function buildStatus(host: HTMLElement, desk: Desk, keepsNothing: Signal<
   });
 }
 
-/** Short messages over the canvas; each goes by itself. */
+/** Shows short messages over the canvas, which disappear by themselves. */
 export function teller(host: HTMLElement): (text: string) => void {
   let timer = 0;
   return (text) => {
@@ -41,7 +41,7 @@ export function teller(host: HTMLElement): (text: string) => void {
   };
 }
 
-/** Announces the figures after a change, once they no longer change. */
+/** Announces the figures to assistive technology once they have stopped changing. */
 export function announceFigures(live: HTMLElement, desk: Desk): void {
   let timer = 0;
   desk.figures.follow(({ revision, length, utilisation }) => {

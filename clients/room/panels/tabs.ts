@@ -2,7 +2,7 @@ import { h } from "../base/dom";
 import { Signal } from "../base/signal";
 import { say, wording, type TextName } from "../texts/texts";
 
-/** Tabs: arrow keys go from one to the next. Returns a value that says which is open. */
+/** Tabs, with arrow keys to move between them. Returns the panels, and a signal with the name of the open one. */
 export function buildTabs<T extends TextName>(host: HTMLElement, names: readonly T[]): { open: Signal<T>; panels: Record<T, HTMLElement> } {
   const open = new Signal<T>(names[0]!);
   const list = h("div", { role: "tablist", class: "tabs" });

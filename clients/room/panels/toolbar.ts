@@ -2,7 +2,7 @@ import { fill, h } from "../base/dom";
 import { prefer, preferences } from "../base/preferences";
 import { follow } from "../base/signal";
 import type { Insight } from "../engine/insight";
-import { tool, type Tool } from "../hand/tools";
+import { tool, type Tool } from "../input/tools";
 import { say, wording, type TextName } from "../texts/texts";
 import { palette } from "../view/palette";
 import type { Scene } from "../view/scene";
@@ -10,7 +10,7 @@ import type { Stage } from "../view/stage";
 import { iconButton, worded } from "./controls";
 import { drawn, type IconName } from "./icons";
 
-/** Tools and views, at the left edge of the canvas. */
+/** The toolbar with tools and views at the left edge of the canvas. */
 export function buildToolbar(host: HTMLElement, stage: Stage, insight: Insight): void {
   worded(host, "tools", "aria-label");
   const tools: Array<[Tool, IconName, TextName]> = [["select", "select", "toolSelect"], ["ruler", "ruler", "toolRuler"], ["gap", "gap", "toolGap"], ["gravity", "gravity", "toolGravity"]];
@@ -47,7 +47,7 @@ export function buildToolbar(host: HTMLElement, stage: Stage, insight: Insight):
   );
 }
 
-/** Which colour is which size, bundle or shape; left out when there are too many to tell apart. */
+/** The legend of the colours of sizes, bundles or shapes; hidden if there are too many to tell apart. */
 export function buildLegend(host: HTMLElement, scene: Scene): void {
   follow([scene.colouring, palette, wording], () => {
     const names = palette.value ? scene.colouring.value.legend(palette.value) : [];

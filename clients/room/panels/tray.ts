@@ -2,7 +2,7 @@ import type { Point } from "../../typescript/src/index";
 import { fill, h, setText } from "../base/dom";
 import { follow } from "../base/signal";
 import type { Places } from "../engine/places";
-import type { Commands } from "../hand/commands";
+import type { Commands } from "../input/commands";
 import type { Unplaced } from "../marker/marker";
 import { Pose } from "../marker/pose";
 import type { Shape } from "../marker/shape";
@@ -17,7 +17,7 @@ const SLACK = 4; // pixels that a pointer may move in a press
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
- * The pieces that do not lie on the cloth, by shape: each is dragged onto it, or pressed and goes to a free place, or shown in
+ * The tray of unplaced pieces, by shape. A piece can be dragged onto the cloth, or pressed to lay it at a free place, or shown in
  * all places where it fits.
  */
 export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: Stage, commands: Commands, places: Places): void {
@@ -45,7 +45,7 @@ export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: St
     const act = () => {
       if (shown || !first) return places.end();
       places.show(first);
-      stage.top.focus(); // whose keys choose among the places
+      stage.top.focus(); // the keys that choose among the places work on the canvas
     };
     const fits = h("button", { type: "button", class: "icon-button", "aria-pressed": String(shown), "aria-label": where, title: where, onclick: act }, drawn("fits"));
     return h("div", { class: "tray-line" }, button, fits);
@@ -58,7 +58,7 @@ export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: St
     return count > 0 ? say("placesFound", { count }) : say("placesNone");
   }
 
-  // A drag shows the piece under the pointer; the keyboard and a press lay it in the middle of the view.
+  // During a drag the piece is shown under the pointer; the keyboard and a press lay it in the middle of the view.
   function dragged(button: HTMLElement, piece: Unplaced): void {
     let from: Point | undefined;
     let over: Point | undefined;
@@ -103,7 +103,7 @@ export function buildTray(host: HTMLElement, desk: Desk, scene: Scene, stage: St
   }
 }
 
-/** The shape, as large as its row allows. */
+/** A picture of the shape, as large as its row allows. */
 function thumbnail({ outline, box }: Shape): SVGSVGElement {
   const svg = document.createElementNS(SVG, "svg");
   svg.setAttribute("viewBox", `${box.left} ${-box.top} ${box.right - box.left} ${box.top - box.bottom}`);

@@ -4,9 +4,9 @@ import type { MarkerDocument } from "../marker/document";
 import { Marker } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import type { Link } from "./link";
-import { hasCode } from "./words";
+import { hasCode } from "./messages";
 
-/** What is known of the marker's revision. */
+/** The figures of the marker's current revision. */
 export interface Figures {
   revision: number;
   length: number;
@@ -14,18 +14,18 @@ export interface Figures {
   valid: boolean;
 }
 
-/** What is said of a new revision, by a notification or by the answer to a call. */
+/** A change to a new revision, from a notification or from the answer to a call. */
 export interface Change extends Pick<Notifications["marker.changed"], "revision" | "removed" | "length" | "utilisation" | "valid" | "whole"> {
   placements: ReadonlyArray<Placement | PieceState>;
 }
 /** The poses that pieces had before a change. */
 export type Before = ReadonlyMap<string, Pose>;
 
-/** The marker on the table: opened, watched, and changed only by what the daemon says. */
+/** The marker that this page shows. It is open in the daemon and watched, and changes only as the daemon reports. */
 export class Desk {
   readonly marker = new Signal<Marker | undefined>(undefined);
   readonly figures = new Signal<Figures>({ revision: 0, length: 0, utilisation: 0, valid: true });
-  /** Called after each change, with the poses before it; `by` is the method, or "" for a change of this page's own. */
+  /** Set after each change, with the poses before it; `by` is the method, or "" for a change made by this page. */
   readonly changed = new Signal<{ before: Before; by: string; mine: boolean } | undefined>(undefined);
   /** The pieces of this marker that others drag now. */
   readonly draggedByOthers = new Signal<Notifications["marker.dragged"]["pieces"]>([]);
@@ -33,9 +33,9 @@ export class Desk {
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
   private listening: Client | undefined;
-  private refreshing: Promise<void> = Promise.resolve(); // of what only a new document shows
-  private underWay = 0; // calls of this page that change the marker
-  // How many revisions a gesture made, by the last of them: one undo takes back all of them.
+  private refreshing: Promise<void> = Promise.resolve(); // a change that requires reading the whole document again
+  private changesInProgress = 0; // number of calls of this page that change the marker
+  // The number of revisions that a gesture made, by the last of them: one undo takes back all of them.
   private readonly undoSteps = new Map<number, number>();
   private readonly redoSteps = new Map<number, number>();
 
@@ -47,7 +47,7 @@ export class Desk {
     });
   }
 
-  /** Opens a document, or the text of a trade's file and what belongs to it, as a new marker, and puts it on the table. */
+  /** Opens a document, or the text of a trade file with its rule table and order, as a new marker, and shows it. */
   async open(document: MarkerDocument | Record<string, unknown> | string, besides: { rules?: string; order?: string } = {}): Promise<Answer<"marker.open">> {
     const client = await this.link.ready();
     const opened = await client.call("marker.open", { marker: document as Record<string, unknown>, ...besides });
@@ -55,7 +55,7 @@ export class Desk {
     return opened;
   }
 
-  /** Puts a marker of the daemon on the table. */
+  /** Shows a marker that is open in the daemon. */
   async show(markerId: string): Promise<void> {
     const client = await this.link.ready();
     this.listen(client);
@@ -87,7 +87,7 @@ export class Desk {
       .catch(() => {});
   }
 
-  // After a lost connection: watches again, and reads the marker anew, or opens it again when the daemon has lost it.
+  // After a lost connection, watches the marker again and reads it anew, or reopens it if the daemon has lost it.
   private async resume(): Promise<void> {
     const client = await this.link.ready();
     this.listen(client);
@@ -112,10 +112,10 @@ export class Desk {
     this.changed.value = { before, by, mine };
   }
 
-  // Reads the marker anew unless it is known at this revision by then: an answer and a notification tell of the same change.
-  // One reading begins when the one before has ended, so that an older document never takes the place of a newer one.
+  // Reads the marker anew, unless this revision has been read by then, because an answer and a notification report the same
+  // change. Readings run one after another, so that an older document never replaces a newer one.
   private refreshAfter(revision: number, by: string): void {
-    const mine = this.underWay > 0;
+    const mine = this.changesInProgress > 0;
     this.refreshing = this.refreshing
       .catch(() => {})
       .then(async () => {
@@ -137,7 +137,7 @@ export class Desk {
     });
   }
 
-  /** Takes over a change; older ones than the present revision have been taken over already. */
+  /** Applies a change, unless it is older than the current revision and so has been applied already. */
   absorb(change: Change, by: string): void {
     const marker = this.marker.value;
     const { revision } = this.figures.value;
@@ -155,21 +155,21 @@ export class Desk {
     marker.remove(change.removed);
     const { length, utilisation, valid } = change;
     this.figures.value = { revision: change.revision, length, utilisation, valid };
-    this.changed.value = { before, by, mine: this.underWay > 0 };
+    this.changed.value = { before, by, mine: this.changesInProgress > 0 };
   }
 
-  /** Does something that changes the marker: until it ends, changes count as made by this page. */
+  /** Carries out an action that changes the marker; until it ends, changes count as made by this page. */
   async change<T>(act: (client: Client) => Promise<T>): Promise<T> {
     const client = await this.link.ready();
-    this.underWay += 1;
+    this.changesInProgress += 1;
     try {
       return await act(client);
     } finally {
-      this.underWay -= 1;
+      this.changesInProgress -= 1;
     }
   }
 
-  /** Several changes that one undo takes back. */
+  /** Carries out several changes, which one undo takes back. */
   async gesture<T>(act: () => Promise<T>): Promise<T> {
     const from = this.figures.value.revision;
     try {
@@ -181,7 +181,7 @@ export class Desk {
     }
   }
 
-  /** Applies operations; refused when the marker has changed meanwhile. */
+  /** Applies operations; fails if the marker has changed in the meantime. */
   apply(ops: Edit[]): Promise<Answer<"marker.apply">> {
     return this.change(async (client) => {
       const { markerId } = this;

@@ -1,6 +1,6 @@
 import type { MarkerDocument } from "../marker/document";
 
-/** What is opened: a marker's document or the text of a trade's file; for a pattern, its rule table and an order for it. */
+/** A file to open: a marker document or the text of a trade file; for a pattern also its rule table and an order for it. */
 export interface Opened {
   name: string;
   marker: Record<string, unknown> | string;
@@ -9,8 +9,8 @@ export interface Opened {
 }
 
 /**
- * Reads files that the user chose or dropped together: each is a marker, a pattern or a cut file, but a rule table (.rul) and an
- * order (.csv) belong to the others. Throws the parser's own words when a document is not JSON.
+ * Reads files that the user chose or dropped together. Each is a marker, a pattern or a cut file, except for a rule table (.rul)
+ * and an order (.csv), which belong to the other files. Throws the parser's error if a document is not valid JSON.
  */
 export async function readFiles(files: readonly File[]): Promise<Opened[]> {
   const ending = (file: File, name: string) => file.name.toLowerCase().endsWith(name);
@@ -29,7 +29,7 @@ export async function readFiles(files: readonly File[]): Promise<Opened[]> {
   );
 }
 
-// Older programs of the trade write texts of eight bits a letter.
+// Older programs of the trade write text in 8-bit encodings.
 async function textOf(file: File): Promise<string> {
   const bytes = await file.arrayBuffer();
   try {
@@ -62,7 +62,7 @@ export function saveText(name: string, text: string, type: string): void {
   setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
-/** A name that every file system takes. */
+/** A file name that is valid on every file system. */
 export const fileName = (name: string, extension: string): string =>
   `${name.replace(/[^\p{L}\p{N}._ -]+/gu, "_").slice(0, 80) || "marker"}.${extension}`;
 

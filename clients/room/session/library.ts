@@ -2,15 +2,15 @@ import type { Answer } from "../../typescript/src/index";
 import { Signal } from "../base/signal";
 import { say } from "../texts/texts";
 import type { Desk } from "./desk";
-import { inWords } from "./words";
+import { errorText } from "./messages";
 
 export type StoredMarker = Answer<"library.list">["markers"][number];
 
-const MOST = 40; // that are listed
+const MOST = 40; // number of stored markers that are listed
 
-/** The daemon's library of stored markers, whose arrangements orders take over. */
+/** The daemon's library of stored markers, whose arrangements new orders can reuse. */
 export class Library {
-  /** How many markers it holds. */
+  /** The number of markers in the library. */
   readonly count = new Signal(0);
 
   constructor(
@@ -20,7 +20,7 @@ export class Library {
     desk.link.joined.follow((connections) => connections > 0 && void this.newest().catch(() => {}));
   }
 
-  /** The markers that were stored last, the newest first. */
+  /** The most recently stored markers, the newest first. */
   async newest(): Promise<StoredMarker[]> {
     const client = await this.desk.link.ready();
     const { count } = await client.call("library.list", { most: 1 });
@@ -30,7 +30,7 @@ export class Library {
     return markers.reverse();
   }
 
-  /** Stores the present revision of the marker on the table. */
+  /** Stores the current revision of the marker that is shown. */
   store = (): void =>
     void this.trying(async () => {
       const client = await this.desk.link.ready();
@@ -39,7 +39,7 @@ export class Library {
       this.tell(say(added ? "stored" : "storedAlready", { name: name || id }));
     });
 
-  /** Opens a stored marker as a new one, which may be edited: the library keeps its own. */
+  /** Opens a copy of a stored marker, so that editing it does not change the library. */
   open = (id: string): void =>
     void this.trying(async () => {
       const client = await this.desk.link.ready();
@@ -51,7 +51,7 @@ export class Library {
     try {
       await act();
     } catch (error) {
-      this.tell(inWords(error));
+      this.tell(errorText(error));
     }
   }
 }

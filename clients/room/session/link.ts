@@ -10,7 +10,7 @@ const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resol
 /** The address of the daemon that served this page. */
 const address = () => `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws`;
 
-/** The engine in the page, where it was opened as a file. */
+/** The connection to the engine inside the page, if the page was opened as a file. */
 const inPage = engineInPage();
 
 /**
@@ -19,20 +19,20 @@ const inPage = engineInPage();
  */
 export class Link {
   readonly state = new Signal<LinkState>("connecting");
-  /** Whether there is no daemon: the engine runs in the page, one call at a time. */
+  /** Whether there is no daemon, because the engine runs in the page; it then handles one call at a time. */
   readonly alone = inPage !== undefined;
-  /** Counts the connections: code that watches a marker watches it again when this changes. */
+  /** The number of connections made so far; code that watches a marker watches it again when this changes. */
   readonly joined = new Signal(0);
   private client: Client | undefined;
   private opening: Promise<Client> | undefined;
   private answerToken: (token: string) => void = () => {};
 
-  /** The client; waits for the daemon while there is none. */
+  /** The client; waits until the daemon can be reached. */
   ready(): Promise<Client> {
     return this.client ? Promise.resolve(this.client) : (this.opening ??= this.open());
   }
 
-  /** What the user entered when the daemon asked for a token. */
+  /** Passes on the token that the user entered when the daemon required one. */
   giveToken(token: string): void {
     sessionStorage.setItem(TOKEN, token);
     this.answerToken(token);
@@ -83,7 +83,7 @@ export class Link {
     };
   }
 
-  // The client tries for about ten seconds. After that this page goes on by itself.
+  // The client tries to reconnect for about ten seconds. After that, this page makes a new client.
   private async revive(): Promise<void> {
     const client = this.client;
     await wait(13_000);

@@ -1,10 +1,10 @@
 import type { Desk } from "./desk";
 import { example, examples, type Example } from "./examples";
 import { chooseFiles, fileName, markerText, readFiles, saveText } from "./files";
-import { inWords } from "./words";
+import { errorText } from "./messages";
 import { say } from "../texts/texts";
 
-/** Forms in which markers are written, all of them texts. */
+/** The formats in which markers can be saved; all of them are text. */
 export const WRITTEN = {
   svg: { ending: "svg", type: "image/svg+xml" },
   pdf: { ending: "pdf", type: "application/pdf" },
@@ -13,7 +13,7 @@ export const WRITTEN = {
   hpgl: { ending: "plt", type: "application/vnd.hp-HPGL" },
 } as const;
 
-/** Markers as files: opened by dialogue or by dropping them on the page, saved, drawn, printed. */
+/** Opens markers from files chosen in a dialogue or dropped on the page, and saves and prints markers. */
 export class MarkerFiles {
   constructor(
     private readonly desk: Desk,
@@ -33,7 +33,7 @@ export class MarkerFiles {
     });
   }
 
-  /** The marker that the address names, or the first that is open, or else an example: there is always one to play with. */
+  /** Shows the marker named in the address, or the first open one, or else an example, so that there always is a marker. */
   async openFirst(markerId: string): Promise<void> {
     const client = await this.desk.link.ready();
     const { markers } = await client.call("marker.list", {});
@@ -70,7 +70,7 @@ export class MarkerFiles {
     if (marker) saveText(fileName(marker.name, "json"), markerText(marker.toDocument()), "application/json");
   };
 
-  /** Saves the marker as the daemon writes it for printers, cutters, plotters and other programs. */
+  /** Saves the marker in a format that the daemon writes for printers, cutters, plotters and other programs. */
   saveAs = (format: keyof typeof WRITTEN): void =>
     void this.trying(async () => {
       const { ending, type } = WRITTEN[format];
@@ -109,7 +109,7 @@ export class MarkerFiles {
     try {
       await act();
     } catch (error) {
-      this.tell(inWords(error));
+      this.tell(errorText(error));
     }
   }
 }

@@ -1,8 +1,8 @@
 import { CallError, Code, ConnectionLost } from "../../typescript/src/index";
 import { say, type TextName } from "../texts/texts";
 
-/** An error in the user's words; the daemon's own message where it names what is wrong. */
-export function inWords(error: unknown): string {
+/** The message that the user sees for an error; for most errors of the daemon, it is the daemon's own message. */
+export function errorText(error: unknown): string {
   if (error instanceof ConnectionLost) return say("errorConnection");
   if (!(error instanceof CallError)) return error instanceof Error ? error.message : String(error);
   if (error.data.name === "history.nothing_to_undo") return say("errorNothingToUndo");
@@ -18,7 +18,7 @@ export function inWords(error: unknown): string {
 
 export const hasCode = (error: unknown, code: number): boolean => error instanceof CallError && error.code === code;
 
-const DEEDS: Record<string, TextName> = {
+const METHODS: Record<string, TextName> = {
   "marker.apply": "byEdit",
   "marker.undo": "undo",
   "marker.redo": "redo",
@@ -35,8 +35,8 @@ const DEEDS: Record<string, TextName> = {
   "motion.place": "byDrag",
   "drag.end": "byDrag",
 };
-/** What a method did to a marker, in the user's words; its name where there are none. */
-export function deedInWords(method: string): string {
-  const deed = DEEDS[method];
-  return deed ? say(deed) : method;
+/** The name that the user sees for a method that changed the marker; without one, the method's own name. */
+export function methodText(method: string): string {
+  const name = METHODS[method];
+  return name ? say(name) : method;
 }

@@ -3,8 +3,8 @@ import type { Connect } from "../../typescript/src/index";
 const contentOf = (id: string) => document.getElementById(id)?.textContent?.trim();
 
 /**
- * A page that was built as one file has the engine in it: a connection then begins it in a worker, and is lost when it fails.
- * Undefined when the page was served by a daemon.
+ * The transport to the engine inside a page that was built as one file: a connection starts the engine in a worker, and is lost
+ * if the engine fails. Undefined if the page was served by a daemon.
  */
 export function engineInPage(): Connect | undefined {
   const program = contentOf("engine");

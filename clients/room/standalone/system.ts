@@ -1,12 +1,12 @@
-/** What a WebAssembly program asks of its system (WASI preview 1), as far as the engine needs it: a clock, and a console. */
+/** The part of the system interface of WebAssembly programs (WASI preview 1) that the engine needs: a clock and a console. */
 const DONE = 0;
 const NO_SUCH_FILE = 8;
 const NOT_THERE = 52;
-const NANOSECONDS = 1e6; // in a millisecond
+const NANOSECONDS = 1e6; // per millisecond
 
 type Call = (...values: any[]) => unknown;
 
-/** The system calls for a program; `memory` is asked for when they are made. */
+/** The system calls for a program; `memory` is called when a system call is made. */
 export function systemCalls(memory: () => WebAssembly.Memory, log: (text: string) => void): Record<string, Call> {
   const view = () => new DataView(memory().buffer);
   const bytes = (at: number, count: number) => new Uint8Array(memory().buffer, at, count);

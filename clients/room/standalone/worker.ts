@@ -1,6 +1,6 @@
 /**
- * The engine in a worker of the page. The first message is its program, compressed; every further one is a message to the daemon
- * that is in it. Its answers and notifications come back as texts. A fault ends the worker, as it would end a daemon.
+ * Runs the engine in a worker of the page. The first message is the compressed WebAssembly program; every further one is a
+ * message of the protocol. Answers and notifications are sent back as text. A fault ends the worker, as it would end a daemon.
  */
 import { systemCalls } from "./system";
 
@@ -11,7 +11,7 @@ interface Engine {
   receive(at: number, bytes: number): void;
 }
 
-// Newer than the compiler's description of browsers.
+// The compiler's library of browser types does not have this class yet.
 declare const DecompressionStream: new (format: "gzip") => ReadableWritablePair<Uint8Array, Uint8Array>;
 
 const page = self as unknown as { postMessage(message: string | true): void; onmessage: (event: { data: ArrayBuffer | string }) => void };
@@ -28,7 +28,7 @@ async function started(program: ArrayBuffer): Promise<Engine> {
   return engine;
 }
 
-/** Outside of every promise, so that the page hears of it. */
+/** Throws outside of every promise, so that the error reaches the page. */
 const fail = (fault: unknown) =>
   void setTimeout(() => {
     throw fault;

@@ -8,12 +8,12 @@ export type { TextName };
 const tables: Record<"en" | "de", Texts> = { en: english, de: german };
 const table = (): Texts => tables[preferences.value.language];
 
-/** The text in the user's language, with what stands in braces replaced. */
+/** The text in the user's language, with the names in braces replaced by values. */
 export function say(name: TextName, values: Record<string, string | number> = {}): string {
   return table()[name].replace(/\{(\w+)\}/g, (_, key: string) => String(values[key] ?? ""));
 }
 
-/** Changes when texts must be rewritten: another language, unit or decimal sign. */
+/** Changes when texts must be updated, because the language, a unit or the decimal sign has changed. */
 export const wording = new Signal("");
 preferences.follow(({ language, unit, decimal, currency, price, plies }) => {
   document.documentElement.lang = language;

@@ -4,23 +4,23 @@ const MILLIMETRES: Record<string, number> = { mm: 1, cm: 10, m: 1000, in: 25.4, 
 const DIGITS: Record<Preferences["unit"], number> = { mm: 1, cm: 2, in: 2, yd: 3 };
 
 let markerUnit = "mm";
-/** Lengths of texts are in this unit from now on: the marker's. */
+/** Sets the marker's unit, in which lengths are given to the functions below. */
 export function measureIn(unit: string): void {
   markerUnit = unit;
 }
 
 const isKnown = (unit: string) => unit in MILLIMETRES;
 
-/** How long the displayed unit is, in the marker's. A marker in a unit that is not known is shown in its own. */
+/** The length of the displayed unit in the marker's unit. A marker in an unknown unit is displayed in that unit. */
 export function unitOf({ unit }: { unit: string }): number {
   return isKnown(unit) ? MILLIMETRES[preferences.value.unit]! / MILLIMETRES[unit]! : 1;
 }
 export const unitName = (): string => (isKnown(markerUnit) ? preferences.value.unit : markerUnit);
 
-/** A millimetre in the marker's unit; 1 when that is not known. */
+/** A millimetre in the marker's unit; 1 if that is unknown. */
 export const millimetre = (): number => (isKnown(markerUnit) ? 1 / MILLIMETRES[markerUnit]! : 1);
 
-/** Metres of a length of the marker, for prices. Undefined when its unit is not known. */
+/** A length of the marker in metres, for prices. Undefined if the marker's unit is unknown. */
 export const metres = (length: number): number | undefined =>
   isKnown(markerUnit) ? (length * MILLIMETRES[markerUnit]!) / 1000 : undefined;
 

@@ -1,7 +1,7 @@
 import type { Point } from "../../typescript/src/index";
 import type { Box } from "../marker/outline";
 
-/** From the cloth (y up, in the marker's unit) to the screen (y down, in CSS pixels), and back. */
+/** Transforms between the cloth (y up, in the marker's unit) and the screen (y down, in CSS pixels). */
 export class Camera {
   constructor(
     readonly scale: number,
@@ -20,7 +20,7 @@ export class Camera {
     return new Camera(this.scale, this.x + dx, this.y + dy);
   }
 
-  /** Zoomed so that what is under the pointer stays there. */
+  /** Zooms about a point of the screen, usually the pointer. */
   zoomed(factor: number, [x, y]: Point, limits: { least: number; most: number }): Camera {
     const scale = Math.min(limits.most, Math.max(limits.least, this.scale * factor));
     const ratio = scale / this.scale;
@@ -37,7 +37,7 @@ export class Camera {
     return new Camera(scale, x, y);
   }
 
-  /** What of the cloth a view of this size shows. */
+  /** The part of the cloth that a view of this size shows. */
   window(width: number, height: number): Box {
     const [left, top] = this.toCloth([0, 0]);
     const [right, bottom] = this.toCloth([width, height]);

@@ -4,10 +4,10 @@ import type { Box } from "../marker/outline";
 import { labelOf, type Brush } from "./piece_painter";
 import type { Scene } from "./scene";
 
-const LEAST = 0.004; // worth of a contact that is drawn
+const LEAST = 0.004; // least worth of a contact that is drawn
 const FONT = '600 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
-const HALF = 8; // pixels, of the height of a text
-// Where a contact's worth is written: at its right if that is free, or else at its left, above or below.
+const HALF = 8; // half of the height of a text, in pixels
+// Positions where a contact's worth may be written: on its right or, if that is not free, on its left, above or below.
 const SIDES = [
   { dx: 8, dy: 0, part: 0 },
   { dx: -8, dy: 0, part: -1 },
@@ -15,7 +15,7 @@ const SIDES = [
   { dx: 0, dy: 15, part: -0.5 },
 ];
 
-/** The critical path: from piece to piece through the points where they touch, as thick as its worth. */
+/** Draws the critical path: lines from piece to piece through the points where they touch, as thick as the contact's worth. */
 export function paintChain(brush: Brush, scene: Scene, now: number, labels: boolean): void {
   const { context, camera, ratio, colours } = brush;
   const { chain, marker } = scene;
@@ -47,7 +47,7 @@ export function paintChain(brush: Brush, scene: Scene, now: number, labels: bool
   context.lineJoin = "miter";
 }
 
-// Names that the lines have crossed are written again above them. Answers where they stand.
+// Writes the names that the lines have crossed again on top of them. Returns their positions.
 function paintNames(brush: Brush, scene: Scene, middles: ReadonlyMap<string, Point>): Box[] {
   const { context, colours } = brush;
   return [...middles].flatMap(([id, [x, y]]) => {
@@ -87,7 +87,7 @@ function paintWorths({ context, camera, colours }: Brush, contacts: ReadonlyArra
 
 const meet = (a: Box, b: Box): boolean => a.left < b.right && b.left < a.right && a.bottom < b.top && b.bottom < a.top;
 
-/** Cloth that no piece covers; darker where the smallest piece fits. */
+/** Draws the cloth that no piece covers; darker where the smallest piece fits. */
 export function paintRegions({ context, camera, ratio, colours }: Brush, { regions, fits }: Scene): void {
   if (!regions) return;
   const k = camera.scale * ratio;

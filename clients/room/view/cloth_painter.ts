@@ -4,16 +4,16 @@ import type { Brush } from "./piece_painter";
 import type { Scene } from "./scene";
 
 const FONT = '12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
-const RULER = 26; // pixels of the ruler at the upper edge
-const BAND = 7; // pixels of the selvedge
+const RULER = 26; // height of the ruler at the upper edge, in pixels
+const BAND = 7; // height of the selvedge, in pixels
 
-/** Steps of 1, 2 or 5 times a power of ten, at least so many pixels apart. */
+/** A step of 1, 2 or 5 times a power of ten that is at least this many pixels long. */
 export function niceStep(least: number): number {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * ([1, 2, 5, 10].find((factor) => factor * power >= least) ?? 10);
 }
 
-/** The cloth: its selvedges, its grid, its end, and the line in its middle. */
+/** Draws the cloth: its selvedges, its grid, its end, and the line in its middle. */
 export function paintCloth(brush: Brush, scene: Scene, width: number, height: number, chosen: Preferences): void {
   const { context, camera, ratio, colours } = brush;
   const marker = scene.marker!;
@@ -68,7 +68,7 @@ function paintMiddle({ context, camera, colours }: Brush, scene: Scene, from: nu
   context.setLineDash([]);
 }
 
-// The finished edge of woven cloth, with a stitch every 12 pixels.
+// Draws the finished edge of woven cloth, with a stitch every 12 pixels.
 function paintSelvedge({ context, camera, colours }: Brush, from: number, to: number, y: number): void {
   context.fillStyle = colours.selvedge;
   context.fillRect(from, y, to - from, BAND);
@@ -84,7 +84,7 @@ function paintSelvedge({ context, camera, colours }: Brush, from: number, to: nu
   context.stroke();
 }
 
-/** The ruler along the upper edge, in the unit that the user chose. */
+/** Draws the ruler along the upper edge, in the unit that the user chose. */
 export function paintRuler({ context, camera, ratio, colours }: Brush, scene: Scene, width: number, paper: string): void {
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.fillStyle = paper;

@@ -1,4 +1,4 @@
-/** Milliseconds of the last measurements of one kind. */
+/** The latest measurements of one kind, in milliseconds. */
 export class Times {
   private readonly kept: number[] = [];
   private next = 0;
@@ -24,5 +24,5 @@ export class Times {
   }
 }
 
-/** What the page measures of itself: script per frame, that of the settled pieces, and the time from the hand's move to the neighbours' new places. */
+/** The page's measurements: script time per frame, time to draw the settled pieces, and time from a pointer move to the answer with the new places. */
 export const times = { frame: new Times(), settled: new Times(), answer: new Times() };

@@ -6,7 +6,7 @@ import type { Scene, Stroke } from "./scene";
 
 const BOLD = '600 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
 
-/** A small text on a coloured ground, its middle at (x, y). */
+/** Draws a small text on a coloured ground, centred at (x, y). */
 function flag(context: CanvasRenderingContext2D, text: string, x: number, y: number, ground: string, ink: string): void {
   context.font = BOLD;
   const half = context.measureText(text).width / 2 + 7;
@@ -20,7 +20,7 @@ function flag(context: CanvasRenderingContext2D, text: string, x: number, y: num
   context.fillText(text, x, y + 0.5);
 }
 
-/** The marker's end, where it was when the marker was opened, and the cloth saved between them. */
+/** Draws the end of the marker, its end when the marker was opened, and the cloth saved between them. */
 export function paintLength({ context, camera, ratio, colours }: Brush, scene: Scene): void {
   const { marker, opening, length } = scene;
   if (!marker || length <= 0) return;
@@ -71,7 +71,7 @@ export function paintSelection(brush: Brush, scene: Scene, now: number): void {
   drawn(scene.focus, (piece) => outline(brush, piece, scene.poseOf(piece, now), colours.ink, 1.2, [3, 3]));
 }
 
-/** Unplaced pieces where a result lays them, and the one that is being dragged out of the tray. */
+/** Draws unplaced pieces where a result places them, and the one that is being dragged out of the tray. */
 export function paintNewcomers(brush: Brush, scene: Scene, labels: boolean): void {
   for (const { piece, pose } of scene.newcomers) paintPiece(brush, piece, pose, scene.colouring.value);
   for (const { piece, pose } of scene.newcomers) paintLabel(brush, piece, pose, labels);
@@ -82,7 +82,7 @@ export function paintNewcomers(brush: Brush, scene: Scene, labels: boolean): voi
   outline(brush, piece, pose, brush.colours.accent, 2.4);
 }
 
-/** Places where an unplaced piece fits; the chosen one stands out. */
+/** Draws the places where an unplaced piece fits; the chosen one is highlighted. */
 export function paintPlaces(brush: Brush, scene: Scene): void {
   const { context, camera, colours } = brush;
   scene.places.forEach(({ piece, pose }, k) => {
@@ -96,7 +96,7 @@ export function paintPlaces(brush: Brush, scene: Scene): void {
   });
 }
 
-/** Pieces that other users are dragging, at their present positions. */
+/** Draws the pieces that other users are dragging, at their current positions. */
 export function paintOthersDrags(brush: Brush, scene: Scene): void {
   const { context, camera, ratio, colours } = brush;
   for (const { piece, pose } of scene.draggedByOthers) {
@@ -114,7 +114,7 @@ export function paintOthersDrags(brush: Brush, scene: Scene): void {
   }
 }
 
-/** Outlines of where pieces were, or would be. */
+/** Draws the outlines of pieces at the poses of another revision or of a result. */
 export function paintGhosts(brush: Brush, scene: Scene): void {
   for (const { piece, pose } of scene.ghosts) outline(brush, piece, pose, brush.colours.ink, 1, [4, 3]);
   for (const [id, pose] of scene.wanted) {
@@ -123,7 +123,7 @@ export function paintGhosts(brush: Brush, scene: Scene): void {
   }
 }
 
-/** Draws where dragged pieces cover others: exactly the intersections, by clipping. */
+/** Draws the overlaps of dragged pieces with others, which are clipped to the exact intersections. */
 export function paintOverlaps(brush: Brush, scene: Scene, now: number): void {
   const { context, camera, colours } = brush;
   const marker = scene.marker!;
@@ -147,7 +147,7 @@ export function paintOverlaps(brush: Brush, scene: Scene, now: number): void {
   }
 }
 
-/** Where the daemon has found that the marker is not valid. */
+/** Marks the overlaps and the protruding pieces that the daemon has reported. */
 export function paintFaults(brush: Brush, scene: Scene): void {
   const { context, camera, ratio, colours } = brush;
   for (const id of scene.outside.slice(0, 500)) {
@@ -170,7 +170,7 @@ export function paintFaults(brush: Brush, scene: Scene): void {
   }
 }
 
-/** What a degree of tilt is worth, on the selected piece. */
+/** Writes the worth of a degree of tilt on the selected piece. */
 export function paintTiltWorth({ context, camera, ratio, colours }: Brush, scene: Scene, now: number): void {
   const [only, ...others] = scene.selected();
   if (!only || others.length > 0 || only.shape.tiltLimit === 0) return;

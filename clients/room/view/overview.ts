@@ -4,7 +4,7 @@ import { enter } from "./piece_painter";
 import type { Scene } from "./scene";
 import type { Stage } from "./stage";
 
-/** The whole marker in a strip at the bottom, with a frame around what the stage shows; the frame can be dragged. */
+/** The overview of the marker at the bottom, with a frame around the part that the stage shows; the frame can be dragged. */
 export class Overview {
   private readonly context: CanvasRenderingContext2D;
   private picture: HTMLCanvasElement | undefined;
@@ -28,7 +28,7 @@ export class Overview {
     new ResizeObserver(() => this.renew()).observe(canvas);
   }
 
-  /** Draws the pieces anew, when there is time. */
+  /** Redraws the pieces when the browser is idle. */
   renew(): void {
     if (this.waiting) return;
     this.waiting = window.setTimeout(() => {

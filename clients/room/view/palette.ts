@@ -2,7 +2,7 @@ import { Signal } from "../base/signal";
 import type { Preferences } from "../base/preferences";
 import type { Piece } from "../marker/marker";
 
-// Paul Tol's "light" scheme (Technical note SRON/EPS/TN/09-002): fills that colour-blind eyes tell apart under dark text.
+// Paul Tol's "light" scheme (Technical note SRON/EPS/TN/09-002): colour-blind people can distinguish its fills under dark text.
 const HUES = ["#77aadd", "#eedd88", "#ee8866", "#44bb99", "#ffaabb", "#bbcc33", "#99ddff", "#aaaa00", "#c5a3d9"];
 
 /** The colours of drawings, from the style sheet's custom properties, which differ by theme. */
@@ -26,7 +26,7 @@ export interface Palette {
   contrast: boolean;
 }
 
-// Mixes a hue with the theme's paper.
+// Mixes a hue with the background colour of the theme.
 function mixed(hue: string, paper: [number, number, number], part: number): string {
   const channel = (k: number) => parseInt(hue.slice(1 + 2 * k, 3 + 2 * k), 16);
   return `rgb(${paper.map((value, k) => Math.round(channel(k) * part + value * (1 - part))).join(" ")})`;
@@ -60,7 +60,7 @@ export function readPalette(): Palette {
 
 export const palette = new Signal<Palette | undefined>(undefined);
 
-/** Which colour a piece has: pieces of one size, bundle or shape have the same. Zones have none of them. */
+/** The colours of pieces: pieces of the same size, bundle or shape have the same colour. Zones have no colour. */
 export class Colouring {
   private readonly places = new Map<string, number>();
 
@@ -78,7 +78,7 @@ export class Colouring {
     return (this.by === "bundle" ? bundle : this.by === "size" ? shape.size : shape.name) || shape.id;
   }
 
-  /** The names and their fills, for a legend. */
+  /** The names and their colours, for a legend. */
   legend(colours: Palette): Array<{ name: string; fill: string }> {
     return [...this.places].map(([name, place]) => ({ name, fill: colours.fills[place % colours.fills.length]! }));
   }

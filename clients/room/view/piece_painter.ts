@@ -4,10 +4,10 @@ import type { Camera } from "./camera";
 import type { Colouring, Palette } from "./palette";
 
 const LABEL = '500 12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
-const TINY = 3; // pixels: a piece smaller than this is a rectangle
-const WIDEST = 2.4; // a label, in radii of the largest circle about its spot
-const NARROW = 4; // pixels that a letter takes at least
-const SMALL = 200; // pixels: below this an outline of fewer points looks the same
+const TINY = 3; // a piece smaller than this many pixels is drawn as a rectangle
+const WIDEST = 2.4; // largest width of a label, in radii of the largest circle about its position
+const NARROW = 4; // least width of a letter in pixels
+const SMALL = 200; // below this size in pixels, an outline with fewer points looks the same
 
 export interface Brush {
   context: CanvasRenderingContext2D;
@@ -16,7 +16,7 @@ export interface Brush {
   colours: Palette;
 }
 
-/** Lays the shape's coordinates onto the canvas. */
+/** Sets the canvas transform to the shape's coordinates. */
 export function enter({ context, camera, ratio }: Brush, pose: Pose): void {
   const k = camera.scale * ratio;
   const { cos, sin, mirror, x, y } = pose;
@@ -26,7 +26,7 @@ export function enter({ context, camera, ratio }: Brush, pose: Pose): void {
 export const pathAt = (piece: Piece, camera: Camera): Path2D =>
   piece.shape.extent * camera.scale < SMALL ? piece.shape.coarse : piece.shape.path;
 
-/** A piece's outline in a colour and a width in CSS pixels. */
+/** Draws the outline of a piece in a colour and a width in CSS pixels. */
 export function outline(brush: Brush, piece: Piece, pose: Pose, colour: string, width: number, dash: number[] = []): void {
   const { context, camera } = brush;
   enter(brush, pose);
@@ -48,7 +48,7 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
     return;
   }
   const path = pathAt(piece, camera);
-  // Zones that some pieces may use are tinted, so that the pieces in them are seen.
+  // Zones that some pieces may use are only tinted, so that pieces in them are visible.
   context.globalAlpha = piece.rules.zone && piece.rules.quality !== undefined ? 0.4 : 1;
   context.fill(path);
   context.globalAlpha = 1;
@@ -62,7 +62,7 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
   context.stroke(path);
 }
 
-/** The grain line, the name and the marks of locks, where there is room for them. */
+/** Draws the grain line, the name and the marks of locks, where there is room for them. */
 export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boolean): void {
   const { context, camera, ratio, colours } = brush;
   const { spot } = piece.shape;
@@ -71,7 +71,7 @@ export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boole
   const [x, y] = camera.toScreen(pose.place([spot.x, spot.y]));
   if (labels && room > 26 && piece.shape.extent * camera.scale > 110) paintGrain(brush, piece, pose);
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
-  // A zone always stays where it is, and its outline says so.
+  // A zone never moves, which its outline shows already.
   if (piece.locked !== false && !piece.rules.zone) paintLock(context, x, room > 24 && labels ? y - 13 : y, colours, isLocked(piece, "x") && isLocked(piece, "y"));
   if (!labels) return;
   const { text } = labelOf(brush, piece);
@@ -80,7 +80,7 @@ export function paintLabel(brush: Brush, piece: Piece, pose: Pose, labels: boole
   context.fillText(text, x, y);
 }
 
-/** The name of a piece or, where that has no room, its size; "" where neither has. The context is ready to write it, its middle at a point. */
+/** The name of a piece or, if there is no room for that, its size; "" if there is room for neither. Sets the context up to write it centred at a point. */
 export function labelOf({ context, camera }: Brush, { shape: { spot, label, size } }: Piece): { text: string; wide: number } {
   const room = WIDEST * spot.radius * camera.scale;
   context.font = LABEL;

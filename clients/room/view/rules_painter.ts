@@ -8,13 +8,13 @@ import type { Scene } from "./scene";
 const FONT = '12px "Inter", system-ui, -apple-system, "Segoe UI", "DejaVu Sans", sans-serif';
 const SHADE = { above: 12, apart: 4 }; // pixels from the cloth to the first line, and from one line to the next
 
-const CLOSEST = 4; // pixels between two lines of a pattern that is drawn
-const BELOW = 12; // pixels from the cloth to a text under it
-const LOWER = 38; // to one that would else lie under the marker's length
-const WIDE = 90; // pixels from the middle of such a text to that of the length, at least
+const CLOSEST = 4; // least distance in pixels between two lines of a pattern that is drawn
+const BELOW = 12; // pixels from the cloth to a text below it
+const LOWER = 38; // the same for a text that would otherwise overlap the marker's length
+const WIDE = 90; // texts closer than this to the middle of the length, in pixels, are placed lower
 const CROSS = 5; // pixels from the middle of a match point's cross to its ends
 
-/** Where pieces may not lie, or only some: selvedges, the fold, the ends of bands, how far each shade reaches. */
+/** Draws the rules that restrict where pieces may lie: selvedges, the fold, the ends of bands, and the extent of each shade. */
 export function paintRules(brush: Brush, scene: Scene, width: number): void {
   const { context, camera, ratio, colours } = brush;
   const marker = scene.marker!;
@@ -47,7 +47,7 @@ export function paintRules(brush: Brush, scene: Scene, width: number): void {
   if (marker.shade !== undefined) paintShades(brush, marker, width);
 }
 
-/** The pattern of the cloth, over the pieces that are cut from it: dotted lines where repeats begin. */
+/** Draws the pattern of the cloth over the pieces: dotted lines where repeats begin. */
 export function paintPattern({ context, camera, ratio, colours }: Brush, { repeat, width, longest }: Marker, viewWidth: number): void {
   if (!repeat) return;
   const [left, bottom] = camera.toScreen([0, 0]);
@@ -73,7 +73,7 @@ function segment(context: CanvasRenderingContext2D, ax: number, ay: number, bx: 
   context.lineTo(bx, by);
 }
 
-/** The match points of pieces: each lies where a repeat of the pattern begins. */
+/** Draws the match points of pieces, each of which lies where a repeat of the pattern begins. */
 export function paintMatchPoints(brush: Brush, pieces: readonly Piece[], poseOf: (piece: Piece) => Pose): void {
   const { context, camera, ratio, colours } = brush;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -86,7 +86,7 @@ export function paintMatchPoints(brush: Brush, pieces: readonly Piece[], poseOf:
   }
 }
 
-// Above the cloth, from the left end of a shade's first piece to the right end of its last.
+// Draws a line above the cloth from the left end of a shade's first piece to the right end of its last.
 function paintShades(brush: Brush, marker: Marker, width: number): void {
   const { context, camera, colours } = brush;
   const reaches = new Map<string, { left: number; right: number }>();
@@ -101,7 +101,7 @@ function paintShades(brush: Brush, marker: Marker, width: number): void {
     const [from] = camera.toScreen([left, 0]);
     const [to] = camera.toScreen([right, 0]);
     if (to < 0 || from > width) continue;
-    // The tolerance is of what a document's decimals lose.
+    // The tolerance covers the rounding of the document's decimals.
     const tooLong = right - left > marker.shade! * (1 + 1e-9);
     line(brush, [from, y], [to, y], tooLong ? colours.fault : colours.chain, 2, []);
     context.font = FONT;
@@ -113,7 +113,7 @@ function paintShades(brush: Brush, marker: Marker, width: number): void {
   }
 }
 
-/** The room that their rules leave to the selected pieces. */
+/** Draws the area to which their rules restrict the selected pieces. */
 export function paintRooms(brush: Brush, scene: Scene): void {
   const { context, camera, ratio, colours } = brush;
   const marker = scene.marker!;

@@ -10,7 +10,7 @@ export interface Ghost {
   piece: Piece;
   pose: Pose;
 }
-/** A line or a rectangle that the hand is drawing. */
+/** A line or a rectangle that the user is drawing. */
 export interface Stroke {
   kind: "ruler" | "gap" | "gravity" | "band";
   from: Point;
@@ -19,39 +19,39 @@ export interface Stroke {
 
 const FLIGHT = 220; // milliseconds of an animated change
 
-/** What the canvas shows: the committed marker, and what is laid over it. */
+/** What the canvas shows: the committed marker, and everything that is drawn on top of it. */
 export class Scene {
   readonly camera = new Signal<Camera | undefined>(undefined);
   readonly selection = new Signal<ReadonlySet<string>>(new Set());
   readonly colouring = new Signal(new Colouring("none", []));
   marker: Marker | undefined;
-  /** Poses that differ from the committed ones: a drag, or a result that is looked at. */
+  /** Poses that are shown instead of the committed ones, during a drag or for a previewed result. */
   shown = new Map<string, Pose>();
-  /** The dragged pieces, and the positions that the pointer asks for. */
+  /** The dragged pieces, and the poses that the pointer requests for them. */
   held = new Set<string>();
   wanted = new Map<string, Pose>();
-  free = false; // the dragged pieces may overlap others, and overlaps are drawn
+  free = false; // whether the dragged pieces may overlap others; overlaps are then drawn
   hovered: string | undefined;
   ghosts: Ghost[] = [];
-  newcomers: Ghost[] = []; // unplaced pieces where a result lays them
-  carried: Ghost | undefined; // an unplaced piece that is dragged out of the tray
-  places: Ghost[] = []; // where an unplaced piece fits
-  placeAt = 0; // which of them is chosen
-  draggedByOthers: Ghost[] = []; // pieces that others drag, where these hold them
+  newcomers: Ghost[] = []; // unplaced pieces where a result places them
+  carried: Ghost | undefined; // an unplaced piece that is being dragged out of the tray
+  places: Ghost[] = []; // the places where an unplaced piece fits
+  placeAt = 0; // the index of the chosen place
+  draggedByOthers: Ghost[] = []; // pieces that other users are dragging, at their current poses
   stroke: Stroke | undefined;
   chain: Answer<"marker.hold"> | undefined;
-  tilts: Answer<"marker.hold">["tilts"] = []; // what a degree of each piece's tilt is worth
+  tilts: Answer<"marker.hold">["tilts"] = []; // the worth of a degree of tilt of each piece
   regions: Answer<"marker.regions"> | undefined;
-  fits: ReadonlySet<number> = new Set(); // which of the regions have room for the smallest piece
+  fits: ReadonlySet<number> = new Set(); // the indices of the regions into which the smallest piece fits
   overlaps: Answer<"marker.check">["overlaps"] = [];
-  outside: string[] = []; // pieces that lie where their marker or its rules allow none
+  outside: string[] = []; // pieces that protrude from the strip or violate a rule
   opening: number | undefined; // the marker's length when it was opened
   length = 0;
-  focus: string | undefined; // the piece that the keyboard is at
+  focus: string | undefined; // the piece that has the keyboard focus
   private flights = new Map<string, { from: Pose; start: number }>();
   private readonly calm = matchMedia("(prefers-reduced-motion: reduce)");
 
-  /** Called when the settled pieces or what moves must be drawn again. */
+  /** Called when the settled or the moving pieces must be redrawn. */
   onChange: (what: "settled" | "moving") => void = () => {};
 
   constructor() {
@@ -62,8 +62,8 @@ export class Scene {
     const { marker } = this;
     const unplaced = marker?.unplaced.map((piece) => marker.asPlaced(piece, new Pose(0, 0, 0, false, 0))) ?? [];
     const pieces = [...(marker?.pieces ?? []), ...unplaced];
-    const told = by !== "size" || pieces.some((piece) => piece.shape.size);
-    this.colouring.value = new Colouring(told ? by : "shape", pieces);
+    const known = by !== "size" || pieces.some((piece) => piece.shape.size);
+    this.colouring.value = new Colouring(known ? by : "shape", pieces);
     this.onChange("settled");
   }
 
@@ -84,7 +84,7 @@ export class Scene {
     this.onChange("settled");
   }
 
-  /** Where a piece is shown now. */
+  /** The pose at which a piece is currently shown. */
   poseOf(piece: Piece, now: number): Pose {
     const pose = this.shown.get(piece.id) ?? piece.pose;
     const flight = this.flights.get(piece.id);
@@ -106,7 +106,7 @@ export class Scene {
     return new Set([...this.shown.keys(), ...this.flights.keys(), ...this.held]);
   }
 
-  /** Lets pieces glide from where they were to where they are now. Large changes are shown at once. */
+  /** Animates pieces from their earlier poses to their current ones. Large changes are shown at once. */
   fly(before: ReadonlyMap<string, Pose>): void {
     if (this.calm.matches || before.size > 3000 || document.hidden) return this.onChange("settled");
     const start = performance.now();
@@ -117,7 +117,7 @@ export class Scene {
     this.onChange("settled");
   }
 
-  /** Shows poses instead of the committed ones; pieces that are not named return to theirs. */
+  /** Shows these poses instead of the committed ones; all other pieces return to their committed poses. */
   showPoses(poses: Map<string, Pose>, gliding: boolean): void {
     const before = new Map<string, Pose>();
     if (gliding) {

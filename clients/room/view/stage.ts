@@ -11,14 +11,14 @@ import { paintLabel, paintPiece, type Brush } from "./piece_painter";
 import { paintMatchPoints, paintPattern, paintRooms, paintRules } from "./rules_painter";
 import type { Scene } from "./scene";
 
-// Room for the tools at the left, the ruler above, and the length or a result below.
+// Margins for the tools at the left, the ruler above, and the length or a result below.
 const MARGIN = { left: 78, right: 52, top: 46, bottom: 74 };
 const SMALL = { left: 14, right: 44, top: 92, bottom: 74 };
-const SLOW = 9; // milliseconds: when drawing all settled pieces takes longer, panning moves their picture first
+const SLOW = 9; // if drawing all settled pieces takes more milliseconds than this, panning first moves their picture
 
 /**
- * Two canvases: the lower one has the cloth and the settled pieces, the upper one what moves and all marks. A drag draws the
- * upper one only; the lower one is drawn anew when the set of moving pieces changes.
+ * Two canvases: the lower one shows the cloth and the settled pieces, the upper one the moving pieces and all marks. A drag
+ * redraws only the upper one; the lower one is redrawn when the set of moving pieces changes.
  */
 export class Stage {
   width = 0;
@@ -69,7 +69,7 @@ export class Stage {
     this.request(true);
   }
 
-  // What the view fits to, also when its size changes; undefined once the user has zoomed or panned.
+  // What the view is fitted to, also when its size changes; undefined once the user has zoomed or panned.
   private fitted: "whole" | "width" | undefined = "whole";
   look(camera: Camera): void {
     this.fitted = undefined;
@@ -81,13 +81,13 @@ export class Stage {
     return { left: 0, right: Math.max(this.scene.length, 1e-9), bottom: 0, top: marker?.width ?? 1 };
   }
 
-  /** Whether the whole marker would be a thin strip in this view. */
+  /** Whether the whole marker would appear as a thin strip in this view. */
   get isLong(): boolean {
     const { right, top } = this.bounds;
     return right > 2.5 * top;
   }
 
-  /** Shows the whole marker; a long one alternately with its whole width, from its beginning. */
+  /** Shows the whole marker. For a long marker, it alternates between that and the beginning of the marker in full width. */
   fit(whole = !this.isLong || this.fitted !== "whole"): void {
     if (this.width === 0 || !this.scene.marker) return;
     this.fitted = whole ? "whole" : "width";
@@ -97,7 +97,7 @@ export class Stage {
     this.scene.camera.value = Camera.fitting(whole ? this.bounds : { left: 0, bottom: 0, right, top }, this.width, this.height, margin);
   }
 
-  /** Pans to a part of the cloth that is not in view as a whole. */
+  /** Pans to a part of the cloth, unless all of it is in view. */
   reveal(box: Box): void {
     const camera = this.scene.camera.value;
     if (!camera) return;
@@ -114,7 +114,7 @@ export class Stage {
     this.look(camera.value.zoomed(factor, at, { least: whole / 4, most: (this.height / marker.width) * 400 }));
   }
 
-  /** The selected pieces, or else those that are in view as a whole. */
+  /** The selected pieces or, if there are none, those that are entirely in view. */
   chosen(): Piece[] {
     const { scene } = this;
     const view = scene.camera.value?.window(this.width, this.height);
@@ -123,7 +123,7 @@ export class Stage {
     return scene.marker.pieces.filter(({ box }) => box.left >= view.left && box.right <= view.right && box.bottom >= view.bottom && box.top <= view.top);
   }
 
-  /** Asks for a frame. */
+  /** Requests an animation frame. */
   request(settled: boolean): void {
     this.settledIsOld ||= settled;
     if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
@@ -146,7 +146,7 @@ export class Stage {
     if (this.scene.flying) this.request(false);
   }
 
-  // Moves the picture of the settled pieces while a camera that is on its way would be too slow to follow.
+  // Moves the picture of the settled pieces while the camera moves, if redrawing them would be too slow.
   private drawSettled(camera: Camera): void {
     const drawn = this.drawnCamera;
     if (drawn && drawn !== camera && times.settled.last > SLOW && this.pause === 0) {

@@ -1,4 +1,4 @@
-// What --help and the manual page show of the motions at work.
+// The examples of motions in --help and on the manual page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace selvage::cli::commands::motions {
 
-// Command lines of the subcommand; empty when it has none.
+// Example command lines of the subcommand; empty if it has none.
 [[nodiscard]] std::vector<std::string> examples_of(std::string_view command);
 
 }  // namespace selvage::cli::commands::motions

@@ -22,7 +22,7 @@ using parameters::ParameterOption;
 using parameters::without_full_stop;
 using protocol::calls::Method;
 
-// "motion.openGap" becomes "open-gap"; one command has a shorter name.
+// "motion.openGap" becomes "open-gap"; marker.fillGaps has a shorter name.
 std::string command_name(std::string_view method) {
   if (method == "marker.fillGaps") return "fill";
   method.remove_prefix(method.find('.') + 1);
@@ -32,7 +32,7 @@ std::string command_name(std::string_view method) {
 // Its stored markers come from a library (clients/cli/library/remake_command.cpp).
 constexpr std::string_view kRemake = "marker.remake";
 
-// A method with a limit of its own, such as the seconds of a search, keeps it.
+// Whether the method has a time limit of its own, such as the seconds of a search, which replaces the deadline.
 bool limits_time_itself(const std::vector<ParameterOption>& options) {
   return std::ranges::any_of(options,
                              [](const ParameterOption& parameter) { return parameter.option.name == "--time"; });

@@ -1,4 +1,4 @@
-// A command for each motion in the table of methods: `selvage compact IN ...`.
+// Makes a command for each motion in the table of methods: `selvage compact IN ...`.
 #pragma once
 
 #include <vector>

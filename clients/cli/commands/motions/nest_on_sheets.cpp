@@ -23,7 +23,7 @@ bool has_only(std::string_view text, std::string_view allowed) {
   return !text.empty() && text.find_first_not_of(allowed) == std::string_view::npos;
 }
 
-// "1500x3000*4": width x length, and how many of them there are.
+// Parses "1500x3000*4": width, length and number of sheets.
 std::optional<Json> sheet_of_size(std::string_view text) {
   constexpr std::size_t kLongest = 64;
   const std::size_t cross = text.find('x');

@@ -1,5 +1,4 @@
-// selvage nest --sheets: the pieces are nested on sheets of given sizes, and every sheet is written to a file of its
-// own.
+// selvage nest --sheets: nests the pieces on sheets of given sizes, and writes each sheet to a file of its own.
 #pragma once
 
 #include "clients/cli/command_line/option.h"
@@ -12,8 +11,8 @@ namespace selvage::cli::commands::motions {
 
 [[nodiscard]] command_line::Option sheets_option();
 
-// `params` are those of marker.nest; those that concern a single strip are refused.  The files of the sheets have their
-// number in their names: "laid-1.json", "laid-2.json" for "laid.json".
+// `params` are those of marker.nest; those that concern a single strip are refused.  The names of the sheets' files
+// contain their numbers: "laid-1.json", "laid-2.json" for "laid.json".
 [[nodiscard]] terminal::ExitCode nest_on_sheets(Json params, const MarkerFiles& files,
                                                 const command_line::Values& values);
 

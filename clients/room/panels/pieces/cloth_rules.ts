@@ -1,5 +1,5 @@
 import { follow } from "../../base/signal";
-import type { Commands } from "../../hand/commands";
+import type { Commands } from "../../input/commands";
 import type { Marker } from "../../marker/marker";
 import type { Desk } from "../../session/desk";
 import { say, wording } from "../../texts/texts";
@@ -8,7 +8,7 @@ import { lengthField, row, showLength } from "../controls";
 import { disclosure } from "./disclosure";
 import { pointRow } from "./point_row";
 
-/** The cloth: its selvedges, the length within which the pieces of a shade lie, and the repeat of its stripes or plaid. */
+/** Fields for the cloth: its selvedges, the length within which the pieces of a shade lie, and the repeat of its stripes or plaid. */
 export function buildClothRules(desk: Desk, commands: Commands): HTMLElement {
   const selvedge = (name: "below" | "above") => lengthField((length) => void commands.strip({ [name]: length ?? null }), { id: `cloth-${name}`, mayBeEmpty: true });
   const below = selvedge("below");
@@ -35,7 +35,7 @@ export function buildClothRules(desk: Desk, commands: Commands): HTMLElement {
   return box;
 }
 
-/** In words, what pattern the cloth has. */
+/** A short description of the cloth's pattern. */
 function clothOf({ repeat }: Marker): string {
   const { along = 0, across = 0 } = repeat ?? {};
   if (along > 0 && across > 0) return say("plaid", { along: lengthText(along, { unit: false }), across: lengthText(across) });

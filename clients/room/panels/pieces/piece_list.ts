@@ -15,8 +15,8 @@ const ROW = 28; // pixels, as in the style sheet
 type Order = "order" | "name" | "area" | "worth";
 
 /**
- * The pieces as a listbox: the canvas for those who do not see it. Only the rows in sight are in the document, so that a list
- * of 20,000 costs no more than one of 20.
+ * The pieces as a listbox, which makes the marker accessible without the canvas. Only the visible rows are in the document, so
+ * that a list of 20,000 pieces costs no more than one of 20.
  */
 export function buildPieceList(host: HTMLElement, desk: Desk, scene: Scene, stage: Stage, insight: Insight): void {
   const order = new Signal<Order>("order");

@@ -2,7 +2,7 @@ import { fill, h, setText } from "../../base/dom";
 import { follow } from "../../base/signal";
 import type { Engine } from "../../engine/engine";
 import type { Insight } from "../../engine/insight";
-import type { Commands } from "../../hand/commands";
+import type { Commands } from "../../input/commands";
 import { isLocked, type Piece } from "../../marker/marker";
 import type { Desk } from "../../session/desk";
 import { say, wording, type TextName } from "../../texts/texts";
@@ -16,7 +16,7 @@ const CORNERS = [["↖", [-1, 1]], ["↗", [1, 1]], ["↙", [-1, -1]], ["↘", [
 const ALIGN = { left: "alignLeft", right: "alignRight", bottom: "alignBottom", top: "alignTop" } as const;
 const SIDES = [["↑", [0, 1]], ["←", [-1, 0]], ["→", [1, 0]], ["↓", [0, -1]]] as const;
 
-/** The selected piece or pieces, and what can be done to them. */
+/** The panel of the selected pieces, with what can be done to them. */
 export function buildPiecePanel(host: HTMLElement, desk: Desk, scene: Scene, insight: Insight, engine: Engine, commands: Commands): void {
   const title = h("h2", { id: "piece-title" });
   const facts = h("dl", { class: "facts" });
@@ -90,7 +90,7 @@ const sums = (pieces: readonly Piece[]): Array<[string, string]> => [
   [say("area"), areaText(pieces.reduce((sum, { shape }) => sum + shape.area, 0))],
 ];
 
-/** What holds for all pieces: their spacing, the overlap allowance, and the cloth. Then comes the heading of their list. */
+/** The settings of all pieces: their spacing, the overlap allowance, and the cloth. The heading of the piece list follows. */
 export function buildSpacing(host: HTMLElement, desk: Desk, commands: Commands): void {
   const spacing = lengthField((length) => void commands.spacing(length!), { id: "spacing" });
   const overlap = lengthField((length) => void commands.allowance(length!), { id: "overlap" });

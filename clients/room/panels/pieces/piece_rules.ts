@@ -1,7 +1,7 @@
 import type { PieceRules } from "../../../typescript/src/index";
 import { h } from "../../base/dom";
 import { follow } from "../../base/signal";
-import type { Commands } from "../../hand/commands";
+import type { Commands } from "../../input/commands";
 import { matchAsItLies, type Piece } from "../../marker/marker";
 import type { Desk } from "../../session/desk";
 import { say, wording, type TextName } from "../../texts/texts";
@@ -15,7 +15,7 @@ const LENGTHS = { below: "ruleBelow", above: "ruleAbove", from: "ruleFrom", to: 
 const NAPS = { up: "ruleNapUp", down: "ruleNapDown" } as const;
 type LengthRule = keyof typeof LENGTHS;
 
-/** Where on the cloth the selected pieces may lie: fields for their rules, which show those of the first. */
+/** Fields for the rules of the selected pieces, which restrict where they may lie; they show the rules of the first piece. */
 export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): HTMLElement {
   const set = (change: PieceRules) => void commands.rules(() => change);
   const lengths = (Object.keys(LENGTHS) as LengthRule[]).map((name) => ({ name, field: lengthField((length) => set({ [name]: length }), { id: `rule-${name}`, mayBeEmpty: true }) }));
@@ -29,7 +29,7 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
   const naps = (["up", "down"] as const).map((way) => ({ way, check: box(`rule-nap-${way}`, (on) => set({ nap: on ? way : undefined })) }));
   const zone = box("rule-zone", (on) => set({ zone: on || undefined }));
   const quality: HTMLInputElement = h("input", { type: "number", min: 0, max: 99, step: 1, id: "rule-quality", onchange: () => set({ quality: quality.value === "" ? undefined : Math.round(Number(quality.value)) }) });
-  // A piece is matched where it lies: with the point of it that lies on the pattern now.
+  // A piece is matched as it lies: its match point is the point that currently lies at the beginning of a repeat.
   const matched = box("rule-match", (on) => void commands.rules((piece) => (on ? { match: matchAsItLies(desk.marker.value!, piece) } : { match: undefined, matchSet: undefined })));
   const point = pointRow("rule-point", "matchPoint", (change) => void commands.rules(({ rules: { match = [0, 0] } }) => ({ match: change(match) })));
   const { box: element, tell } = disclosure(
@@ -68,7 +68,7 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
   return element;
 }
 
-/** In words, where the piece may lie. */
+/** A short description of where the piece may lie. */
 function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet, nap, zone, quality } }: Piece): string {
   const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
   const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));

@@ -3,7 +3,7 @@ import { h } from "../../base/dom";
 import type { TextName } from "../../texts/texts";
 import { lengthField, showLength, worded } from "../controls";
 
-/** Two fields for a point, along and across. `set` is given what makes the new point of the one known until then. */
+/** Two fields for the coordinates of a point, along and across. `set` receives a function from the previous point to the new one. */
 export function pointRow(id: string, title: TextName, set: (change: (known: Point) => Point) => void): { row: HTMLElement; show(point: Point | undefined): void } {
   const along = lengthField((x) => set(([, y]) => [x!, y]), { id: `${id}-along`, least: -Infinity });
   const across = lengthField((y) => set(([x]) => [x, y!]), { id: `${id}-across`, least: -Infinity });
