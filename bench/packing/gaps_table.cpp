@@ -2,16 +2,19 @@
 // `contain` is asked whether they fit into the box that they lay in, beside all others.  They do; then the largest of
 // them is made 3 % larger, so that most often they do not.
 //
-//   gaps_table [--least N] [--most N] [--gaps N] [--nodes N] [--seed N] MARKER.json...
+//   gaps_table [--least N] [--most N] [--gaps N] [--nodes N] [--seed N] [--slow MS] [--only GAP] MARKER.json...
 //
 // Of `gaps` random gaps in each marker, of `least` to `most` pieces (defaults: 200 of 3 to 9).  Times are seconds of
-// processor time.
+// processor time.  With `--slow`, gaps that take so many milliseconds or more are listed on the error stream, with
+// their numbers; `--only` asks for one of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <utility>
@@ -30,6 +33,8 @@ using namespace selvage;
 struct Options {
   std::size_t least{3}, most{9}, gaps{200};
   std::uint64_t nodes{200'000}, seed{1};
+  double slow{std::numeric_limits<double>::infinity()};  // seconds
+  std::optional<std::size_t> only{};
 };
 
 double processor_seconds() {
@@ -69,14 +74,26 @@ struct Answers {
   std::array<std::size_t, 3> verdicts{};
 };
 
-void ask(const Marker& marker, const std::vector<PieceId>& pieces, const Box& gap, std::uint64_t nodes, SumCache& sums,
-         Answers& answers) {
+struct Question {
+  const Marker& marker;
+  std::vector<PieceId> pieces;
+  Box gap;
+  std::size_t number{};
+};
+
+void ask(const Question& question, const Options& options, SumCache& sums, Answers& answers) {
   packing::ContainSettings settings;
-  settings.limits.nodes = nodes;
+  settings.limits.nodes = options.nodes;
   const double begun = processor_seconds();
-  const auto done = packing::contain(marker, pieces, gap, settings, scene::Run{sums});
-  answers.seconds.push_back(processor_seconds() - begun);
-  ++answers.verdicts[static_cast<std::size_t>(done.verdict)];
+  const auto done = packing::contain(question.marker, question.pieces, question.gap, settings, scene::Run{sums});
+  const double seconds = processor_seconds() - begun;
+  answers.seconds.push_back(seconds);
+  const auto verdict = static_cast<std::size_t>(done.verdict);
+  ++answers.verdicts[verdict];
+  if (seconds < options.slow) return;
+  std::fprintf(stderr, "%s, gap %zu, %zu pieces: %s after %.4f s, %llu nodes\n", question.marker.name.c_str(),
+               question.number, question.pieces.size(), std::array{"found", "impossible", "undecided"}[verdict],
+               seconds, static_cast<unsigned long long>(done.work.nodes));
 }
 
 void print_row(const Marker& marker, const char* question, const Answers& answers) {
@@ -101,8 +118,9 @@ void print_rows(const std::string& path, const Options& options) {
     const auto pieces = near_each_other(placed, count, random);
     Box box = placed.box(pieces.front().value);
     for (const PieceId id : pieces) box = united(box, placed.box(id.value));
-    ask(marker, pieces, box, options.nodes, sums, refitted);
-    ask(with_larger(marker, pieces.front()), pieces, box, options.nodes, sums, larger);
+    if (options.only && *options.only != gap) continue;
+    ask({marker, pieces, box, gap}, options, sums, refitted);
+    ask({with_larger(marker, pieces.front()), pieces, box, gap}, options, sums, larger);
   }
   print_row(marker, "as they were", refitted);
   print_row(marker, "one larger", larger);
@@ -122,6 +140,8 @@ int main(int count, char** words) {
     if (word == "--gaps") options.gaps = value;
     if (word == "--nodes") options.nodes = value;
     if (word == "--seed") options.seed = value;
+    if (word == "--slow") options.slow = static_cast<double>(value) / 1000;
+    if (word == "--only") options.only = value;
     if (!option) paths.push_back(word);
   }
   std::printf("| marker | pieces | found | impossible | undecided | median s | 90 %% | 99 %% | worst |\n");

@@ -16,11 +16,20 @@
 namespace selvage::packing::bodies {
 namespace {
 
+using cells::RealBox;
 using programs::Columns;
 using programs::Dictionary;
 using programs::Row;
 
 constexpr double kTolerance = 1e-13;  // of the program, in widths: a small part of a unit
+
+// How far bodies may move from the solution of a leaf: in widths of their ranges, and at least; lattice units.
+constexpr double kReach = 1e-4;
+constexpr double kLeastReach = 64;
+
+// Lattice points around a body are tried in squares with so many points on a side, so many times.
+constexpr int kLatticeSide = 5;
+constexpr int kLatticeSweeps = 3;
 
 // The room that contacts are given when nothing else helps: `part` of the spacing and so many lattice units.  Rings
 // leave out up to a hundredth of the spacing at corners, and on coarse lattices some units (spaced_rings.h).
@@ -48,16 +57,26 @@ std::vector<RealVec> positions_in(const Dictionary& program, const Columns& colu
   return positions;
 }
 
+// The part of a range that is near to the point: the lines of a leaf hold near its solution, and elsewhere another
+// piece may be in the way.
+RealBox around(RealVec point, const RealBox& range) {
+  const double reach = std::max(kLeastReach, kReach * std::max(range.width(), range.height()));
+  return {
+      std::clamp(point.x - reach, range.low_x, range.high_x), std::clamp(point.y - reach, range.low_y, range.high_y),
+      std::clamp(point.x + reach, range.low_x, range.high_x), std::clamp(point.y + reach, range.low_y, range.high_y)};
+}
+
 // The leaf's program with exact lines.
 Dictionary program_of(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns, bool margins) {
   const std::uint32_t world = bodies.problem.world();
   Dictionary program{columns, bodies.problem.minimises_length};
   for (std::uint32_t body = 0; body < world; ++body) {
     const branching::BodyVariant& variant = bodies.problem.bodies[body].variants[leaf.variant[body]];
-    program.add(columns, {body, world, false, {1, 0, -variant.range.high_x}});
-    program.add(columns, {body, world, false, {0, 1, -variant.range.high_y}});
-    program.add(columns, {world, body, false, {1, 0, variant.range.low_x}});
-    program.add(columns, {world, body, false, {0, 1, variant.range.low_y}});
+    const RealBox range = around(leaf.positions[body], variant.range);
+    program.add(columns, {body, world, false, {1, 0, -range.high_x}});
+    program.add(columns, {body, world, false, {0, 1, -range.high_y}});
+    program.add(columns, {world, body, false, {1, 0, range.low_x}});
+    program.add(columns, {world, body, false, {0, 1, range.low_y}});
     if (bodies.problem.minimises_length) program.add(columns, {body, body, true, {1, 0, variant.width}});
   }
   for (Row row : leaf.rows) {
@@ -113,6 +132,43 @@ std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
   return whole;
 }
 
+// By how much a body's lattice position violates the lines of the leaf, while the others lie where they do.
+double violation_of(const branching::Leaf& leaf, const std::vector<RealVec>& positions, std::uint32_t body) {
+  const auto at = [&](std::uint32_t other) { return other == positions.size() ? RealVec{} : positions[other]; };
+  double sum = 0;
+  for (const Row& row : leaf.rows) {
+    if (row.first != body && row.second != body) continue;
+    const RealVec first = at(row.first);
+    const RealVec second = at(row.second);
+    sum += std::max(0.0, -row.plane.room({second.x - first.x, second.y - first.y}));
+  }
+  return sum;
+}
+
+// Moves one body after another to the lattice point nearby at which it violates the lines least.  Where a body has no
+// room to speak of, most of the points around the solution are no layouts.
+void step_on_lattice(const Bodies& bodies, const branching::Leaf& leaf, std::vector<RealVec>& positions) {
+  for (int sweep = 0; sweep < kLatticeSweeps; ++sweep) {
+    for (std::uint32_t body = 0; body < positions.size(); ++body) {
+      const RealBox& range = bodies.problem.bodies[body].variants[leaf.variant[body]].range;
+      const RealVec middle = positions[body];
+      double least = violation_of(leaf, positions, body);
+      RealVec best = middle;
+      for (int k = 0; k < kLatticeSide * kLatticeSide && least > 0; ++k) {
+        const RealVec at{middle.x + k % kLatticeSide - kLatticeSide / 2,
+                         middle.y + k / kLatticeSide - kLatticeSide / 2};
+        if (at.x < range.low_x || at.x > range.high_x || at.y < range.low_y || at.y > range.high_y) continue;
+        positions[body] = at;
+        const double violation = violation_of(leaf, positions, body);
+        if (violation >= least) continue;
+        least = violation;
+        best = at;
+      }
+      positions[body] = best;
+    }
+  }
+}
+
 // The bodies' positions once the small overlaps of a layout are repaired; all other pieces stay.
 std::optional<std::vector<RealVec>> repaired(Marker layout, const Bodies& bodies, const branching::Leaf& leaf,
                                              const scene::Run& run) {
@@ -164,16 +220,20 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
   const auto attempt = [&](std::vector<RealVec> positions) {
     leaf.positions = std::move(positions);
     const Marker layout = placed(marker, bodies, leaf);
-    if (!is_proved(layout, bodies, freedom)) return false;
-    leaf.length = static_cast<double>(length_of(layout));
-    return true;
+    const bool proved = is_proved(layout, bodies, freedom);
+    if (proved) leaf.length = static_cast<double>(length_of(layout));
+    if (!proved) leaf.positions = original;
+    return proved;
   };
   if (attempt(leaf.positions)) return true;
   for (const bool margins : {true, false}) {
     const auto positions = solved(bodies, leaf, columns, margins);
-    if (positions && (attempt(snapped_to_lattice(*positions)) || attempt(*positions))) return true;
+    if (!positions) continue;
+    std::vector<RealVec> whole = snapped_to_lattice(*positions);
+    if (attempt(whole) || attempt(*positions)) return true;
+    step_on_lattice(bodies, leaf, whole);
+    if (attempt(std::move(whole))) return true;
   }
-  leaf.positions = original;
   const auto mended = repaired(placed(marker, bodies, leaf), bodies, leaf, run);
   if (mended && attempt(*mended)) return true;
   const auto spacing = static_cast<double>(marker::PlacedPieces{marker}.widest_spacing());

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace selvage::packing::branching {
 namespace {
@@ -11,6 +14,33 @@ struct Split {
   std::size_t ring{};
   std::uint32_t wedge{};
 };
+
+// How deep the solution lies in a ring, and the wedge that its ray passes.
+struct Depth {
+  double depth{};
+  std::uint32_t wedge{};
+};
+
+// Nothing for a ring that cannot be split, or in which the depth is at most `least`.
+std::optional<Depth> depth_in(const Relaxation& relaxation, const Problem& problem, const Node& node,
+                              const RingState& ring, double least) {
+  if (ring.clear || ring.arc.count == 1) return std::nullopt;
+  const WedgeRing& wedges = problem.rings[ring.ring];
+  const RealVec way = relaxation.difference(node, ring);
+  if (least >= 0 && wedges.is_beside(way)) return std::nullopt;
+  const std::uint32_t wedge = wedges.facing(way);
+  const double depth = wedges.depth(wedge, way);
+  return depth > least ? std::optional{Depth{depth, wedge}} : std::nullopt;
+}
+
+// By how much the solution overlaps, over all rings that can be split.
+double overlap_in(const Relaxation& relaxation, const Problem& problem, const Node& node) {
+  double sum = 0;
+  for (const RingState& ring : node.rings) {
+    if (const auto found = depth_in(relaxation, problem, node, ring, 0)) sum += found->depth;
+  }
+  return sum;
+}
 
 bool within(Arc arc, std::uint32_t wedge, std::uint32_t size) {
   return (wedge + size - arc.first) % size < arc.count;
@@ -30,18 +60,15 @@ std::optional<Split> deepest(const Relaxation& relaxation, const Problem& proble
   double most = 0;
   for (std::size_t k = 0; k < node.rings.size(); ++k) {
     const RingState& ring = node.rings[k];
-    if (ring.clear || ring.arc.count == 1) continue;
-    const WedgeRing& wedges = problem.rings[ring.ring];
-    const RealVec way = relaxation.difference(node, ring);
-    const std::uint32_t wedge = wedges.facing(way);
-    const double depth = wedges.depth(wedge, way);
+    const auto found = depth_in(relaxation, problem, node, ring, least);
     // A solution outside the ring but beyond the arc is in the hull of the arc's cells only.
-    if (depth <= least) continue;
-    const double weight = (depth - least) * std::sqrt(wedges.box().width() * wedges.box().height()) *
-                          (1.0 + relaxation.conflicts(ring.ring));
+    if (!found) continue;
+    const RealBox& box = problem.rings[ring.ring].box();
+    const double weight =
+        (found->depth - least) * std::sqrt(box.width() * box.height()) * (1.0 + relaxation.conflicts(ring.ring));
     if (weight <= most) continue;
     most = weight;
-    split = Split{k, wedge};
+    split = Split{k, found->wedge};
   }
   return split;
 }
@@ -74,6 +101,22 @@ std::vector<Arc> arcs_of(const WedgeRing& wedges, Arc arc, std::uint32_t wedge, 
     if (near > 0 && near < arc.count) cut = near;
   }
   return {{arc.first, cut}, {(arc.first + cut) % size, arc.count - cut}};
+}
+
+// Of the children, those that promise most come last: the shortest or, where any layout will do, those whose solutions
+// overlap least.
+void sort_by_promise(const Relaxation& relaxation, const Problem& problem, std::vector<Node>& nodes) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const Node& node = nodes[k];
+    const double price = problem.minimises_length ? node.program.cost() : overlap_in(relaxation, problem, node);
+    order.emplace_back(-price, k);
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<Node> sorted;
+  sorted.reserve(nodes.size());
+  for (const auto& [price, k] : order) sorted.push_back(std::move(nodes[k]));
+  nodes = std::move(sorted);
 }
 
 }  // namespace
@@ -115,8 +158,7 @@ Children children(Relaxation& relaxation, const Problem& problem, const Node& no
     }
   }
   if (refuted) found.nodes.clear();
-  std::stable_sort(found.nodes.begin(), found.nodes.end(),
-                   [](const Node& a, const Node& b) { return a.program.cost() > b.program.cost(); });
+  sort_by_promise(relaxation, problem, found.nodes);
   return found;
 }
 

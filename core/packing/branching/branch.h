@@ -13,7 +13,7 @@ namespace selvage::packing::branching {
 
 struct Children {
   bool leaf{};              // the solution is at most `depth` inside every ring that can be split
-  std::vector<Node> nodes;  // settled, the cheapest last
+  std::vector<Node> nodes;  // settled, the most promising last
   Reasons conflict{};       // why these are all: the decisions from which it follows that there are no others
 };
 

@@ -173,7 +173,10 @@ std::vector<Row> Relaxation::exact_rows(const Node& node) const {
   for (const RingState& ring : node.rings) {
     const WedgeRing& wedges = problem_->rings[ring.ring];
     const std::uint32_t wedge = ring.arc.count == 1 ? ring.arc.first : wedges.facing(difference(node, ring));
-    rows.push_back({ring.first, ring.second, false, wedges.line(wedge)});
+    const auto add = [&](std::uint32_t k) { rows.push_back({ring.first, ring.second, false, wedges.line(k)}); };
+    add(wedge);
+    if (wedges.is_notch(wedge)) add(wedges.previous(wedge));
+    if (wedges.is_notch(wedges.next(wedge))) add(wedges.next(wedge));
   }
   return rows;
 }

@@ -56,22 +56,32 @@ std::optional<RealBox> Relaxation::trim(const WedgeRing& wedges, Arc& arc, const
   constexpr double kFar = std::numeric_limits<double>::infinity();
   RealBox found{kFar, kFar, -kFar, -kFar};
   Cell cell;
+  const auto include = [&found](double x, double y) {
+    found = {std::min(found.low_x, x), std::min(found.low_y, y), std::max(found.high_x, x), std::max(found.high_y, y)};
+  };
   const auto is_empty = [&](std::uint32_t k) {
-    const std::uint32_t at = arc.first + k;
-    if (!wedges.clip(at < wedges.size() ? at : at - wedges.size(), box, cell)) return true;
-    for (std::size_t c = 0; c < cell.count; ++c) {
-      found = {std::min(found.low_x, cell.x[c]), std::min(found.low_y, cell.y[c]), std::max(found.high_x, cell.x[c]),
-               std::max(found.high_y, cell.y[c])};
-    }
+    if (!wedges.clip((arc.first + k) % wedges.size(), box, cell)) return true;
+    for (std::size_t c = 0; c < cell.count; ++c) include(cell.x[c], cell.y[c]);
     return false;
   };
-  std::uint32_t first = 0;
-  while (first < arc.count && is_empty(first)) ++first;
-  if (first == arc.count) return std::nullopt;
-  std::uint32_t last = arc.count - 1;
-  while (last > first && is_empty(last)) --last;
-  for (std::uint32_t k = first + 1; k < last && !is_all_of(found, box); ++k) (void)is_empty(k);
-  if (arc.count < wedges.size()) arc = {(arc.first + first) % wedges.size(), last - first + 1};
+  auto [first, end] = wedges.part_facing(arc, box);
+  while (first < end && is_empty(first)) ++first;
+  if (first >= end) return std::nullopt;
+  while (end - 1 > first && is_empty(end - 1)) --end;
+  const auto include_if_free = [&](double x, double y) {
+    const std::uint32_t facing = wedges.facing(RealVec{x, y});
+    const std::uint32_t k = (facing + wedges.size() - arc.first) % wedges.size();
+    if (first <= k && k < end && wedges.depth(facing, {x, y}) <= 0) include(x, y);
+  };
+  constexpr std::uint32_t kMany = 4;
+  if (end - first > kMany) {
+    include_if_free(box.low_x, box.low_y);
+    include_if_free(box.high_x, box.low_y);
+    include_if_free(box.low_x, box.high_y);
+    include_if_free(box.high_x, box.high_y);
+  }
+  for (std::uint32_t k = first + 1; k + 1 < end && !is_all_of(found, box); ++k) (void)is_empty(k);
+  if (arc.count < wedges.size()) arc = {(arc.first + first) % wedges.size(), end - first};
   return found;
 }
 

@@ -8,15 +8,48 @@
 #include "core/packing/cells/hull.h"
 
 namespace selvage::packing::branching {
+namespace {
 
+// The least and the largest of some numbers.
+struct SideExtent {
+  double least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
+  void include(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  template <class Visit>
+  void for_both(const Visit& visit) const {
+    if (least > most) return;
+    visit(least);
+    if (most > least) visit(most);
+  }
+};
+
+}  // namespace
+
+// The corners of the arc's cells that can be corners of their hull: of those on one side of the box, only the two
+// outermost.
 void Relaxation::gather(const RingState& ring, const RealBox& box) {
   const WedgeRing& wedges = problem_->rings[ring.ring];
   points_.clear();
+  SideExtent left, right, bottom, top;
+  const auto take = [&](RealVec p) {
+    if (p.x == box.low_x) return left.include(p.y);
+    if (p.x == box.high_x) return right.include(p.y);
+    if (p.y == box.low_y) return bottom.include(p.x);
+    if (p.y == box.high_y) return top.include(p.x);
+    points_.push_back(p);
+  };
   Cell cell;
-  for (std::uint32_t k = 0; k < ring.arc.count; ++k) {
+  const auto [first, end] = wedges.part_facing(ring.arc, box);
+  for (std::uint32_t k = first; k < end; ++k) {
     if (!wedges.clip((ring.arc.first + k) % wedges.size(), box, cell)) continue;
-    for (std::size_t c = 0; c < cell.count; ++c) points_.push_back(cell.corner(c));
+    for (std::size_t c = 0; c < cell.count; ++c) take(cell.corner(c));
   }
+  left.for_both([&](double y) { points_.push_back({box.low_x, y}); });
+  right.for_both([&](double y) { points_.push_back({box.high_x, y}); });
+  bottom.for_both([&](double x) { points_.push_back({x, box.low_y}); });
+  top.for_both([&](double x) { points_.push_back({x, box.high_y}); });
 }
 
 void Relaxation::make_hull(const Node& node, RingState& ring) {
@@ -65,6 +98,7 @@ bool Relaxation::add_violated_hull(Node& node, RingState& ring) {
   const RealVec way{positions_[ring.second].x - positions_[ring.first].x,
                     positions_[ring.second].y - positions_[ring.first].y};
   const WedgeRing& wedges = problem_->rings[ring.ring];
+  if (ring.arc.count == wedges.size() && wedges.is_beside(way)) return false;
   const std::uint32_t facing = wedges.facing(way);
   const bool within = (facing + wedges.size() - ring.arc.first) % wedges.size() < ring.arc.count;
   if (within && wedges.depth(facing, way) <= 0) return false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/geometry/pseudo_angle.h"
 
@@ -141,6 +142,10 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
   const auto first = std::min_element(edges.begin(), edges.end(),
                                       [&](const Edge& a, const Edge& b) { return angle_of(a) < angle_of(b); });
   std::rotate(edges.begin(), first, edges.end());
+  // A pseudo angle changes by no more than the angle; the second term is more than the rounding of all of them.
+  const auto angle_slack_at = [&](RealVec corner) {
+    return 2 * kRaySlack / std::hypot(corner.x - centre_.x, corner.y - centre_.y) + 0x1p-40;
+  };
   const RealVec start = geometry::real(edges.front().from);
   box_ = {start.x, start.y, start.x, start.y};
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -152,6 +157,7 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
                        beside_ray(centre_, from, 1, slack_between(previous, edges[k])),
                        beside_ray(centre_, to, -1, slack_between(edges[k], next))});
     corners_.push_back(from);
+    angle_slack_ = std::max(angle_slack_, angle_slack_at(from));
     angles_.push_back(std::max(angles_.empty() ? 0.0 : angles_.back(), angle_of(edges[k])));
     box_ = {std::min(box_.low_x, from.x), std::min(box_.low_y, from.y), std::max(box_.high_x, from.x),
             std::max(box_.high_y, from.y)};
@@ -172,15 +178,60 @@ bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const 
   cell.y[2] = cell.y[3] = box.high_y;
   cell.count = 4;
   Cell other;
+  Cell* from = &cell;
+  Cell* into = &other;
   const auto cut = [&](const HalfPlane& plane, double least) {
-    if (least >= 0 || cell.count == 0) return;
-    clip_into(cell, plane, other);
-    cell = other;
+    if (least >= 0 || from->count == 0) return;
+    clip_into(*from, plane, *into);
+    std::swap(from, into);
   };
   cut(w.beyond, beyond.least);
   cut(w.after, after.least);
   cut(w.before, before.least);
+  if (from != &cell) {
+    std::copy_n(other.x.begin(), other.count, cell.x.begin());
+    std::copy_n(other.y.begin(), other.count, cell.y.begin());
+    cell.count = other.count;
+  }
   return cell.count > 0;
+}
+
+// The wedges that rays to the box pass.
+Arc WedgeRing::facing_box(const RealBox& box) const {
+  constexpr double kMostOpening = 1.9;  // less than half a turn: then it is clear which way round the box lies
+  const double low_x = box.low_x - centre_.x;
+  const double high_x = box.high_x - centre_.x;
+  const double low_y = box.low_y - centre_.y;
+  const double high_y = box.high_y - centre_.y;
+  if (low_x <= 0 && high_x >= 0 && low_y <= 0 && high_y >= 0) return whole();
+  const double middle = geometry::pseudo_angle((low_x + high_x) / 2, (low_y + high_y) / 2);
+  double first = 0;
+  double last = 0;
+  for (const auto& [x, y] : {std::pair{low_x, low_y}, {high_x, low_y}, {low_x, high_y}, {high_x, high_y}}) {
+    const double half = geometry::kFullTurn / 2;
+    const double turn = geometry::pseudo_angle(x, y) - middle;
+    const double way = turn > half ? turn - geometry::kFullTurn : turn < -half ? turn + geometry::kFullTurn : turn;
+    first = std::min(first, way);
+    last = std::max(last, way);
+  }
+  if (last - first + 2 * angle_slack_ > kMostOpening) return whole();
+  const auto at = [&](double angle) {
+    return corner_before(std::fmod(angle + geometry::kFullTurn, geometry::kFullTurn));
+  };
+  const std::uint32_t begin = at(middle + first - angle_slack_);
+  const std::uint32_t end = at(middle + last + angle_slack_);
+  return {begin, (end + size() - begin) % size() + 1};
+}
+
+WedgeRing::Part WedgeRing::part_facing(Arc arc, const RealBox& box) const {
+  const Arc faced = facing_box(box);
+  const std::uint32_t begin = (faced.first + size() - arc.first) % size();
+  const std::uint32_t end = begin + faced.count;
+  if (arc.count == size()) return {begin, end};
+  const std::uint32_t again = end > size() ? std::min(arc.count, end - size()) : 0;  // where it begins a second time
+  if (begin >= arc.count) return {0, again};
+  if (again > 0) return {0, arc.count};
+  return {begin, std::min(arc.count, end)};
 }
 
 std::uint32_t WedgeRing::corner_before(double angle) const {

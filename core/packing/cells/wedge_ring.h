@@ -63,14 +63,21 @@ class WedgeRing {
   [[nodiscard]] RealVec centre() const { return centre_; }
   // Sets `cell` to the part of the box in a wedge.  False when there is none.
   [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
+  // The part of an arc that rays to the box pass: in its other wedges the box has no position.  Counted from the arc's
+  // first wedge, and where the part of a whole ring goes on beyond the last one, `end` is more than its size.
+  struct Part {
+    std::uint32_t begin{}, end{};
+  };
+  [[nodiscard]] Part part_facing(Arc arc, const RealBox& box) const;
   // The wedge that the point's ray passes.
   [[nodiscard]] std::uint32_t facing(RealVec p) const;
   // How far the point lies inside the wedge's line, beyond the slack; negative outside.
   [[nodiscard]] double depth(std::uint32_t wedge, RealVec p) const { return -wedges_[wedge].beyond.room(p); }
   // Whether the point is outside of the ring for sure.
-  [[nodiscard]] bool is_free(RealVec p) const {
-    const bool beside = p.x <= box_.low_x || p.x >= box_.high_x || p.y <= box_.low_y || p.y >= box_.high_y;
-    return beside || depth(facing(p), p) <= 0;
+  [[nodiscard]] bool is_free(RealVec p) const { return is_beside(p) || depth(facing(p), p) <= 0; }
+  // Whether the point lies outside of the ring's box.
+  [[nodiscard]] bool is_beside(RealVec p) const {
+    return p.x <= box_.low_x || p.x >= box_.high_x || p.y <= box_.low_y || p.y >= box_.high_y;
   }
   // The corner of the sum at which the edge of the wedge starts; a unit off, at most, where two lines cross.
   [[nodiscard]] RealVec corner(std::uint32_t wedge) const { return corners_[wedge]; }
@@ -84,6 +91,15 @@ class WedgeRing {
     const HalfPlane& beyond = wedges_[wedge].beyond;
     return {beyond.nx, beyond.ny, beyond.c + kLineSlack};
   }
+  // Whether the sum turns inwards at the corner where the wedge's edge starts.  Beyond the edges on both sides of such
+  // a corner, everything near it is free; beyond only one of them it is not.
+  [[nodiscard]] bool is_notch(std::uint32_t wedge) const {
+    const HalfPlane& before = wedges_[previous(wedge)].beyond;
+    const HalfPlane& own = wedges_[wedge].beyond;
+    return before.nx * own.ny - before.ny * own.nx < 0;
+  }
+  [[nodiscard]] std::uint32_t next(std::uint32_t wedge) const { return wedge + 1 < size() ? wedge + 1 : 0; }
+  [[nodiscard]] std::uint32_t previous(std::uint32_t wedge) const { return (wedge > 0 ? wedge : size()) - 1; }
   // The corner nearest in angle to the ray at `quarters` quarter turns from the point's ray, named by the wedge that
   // starts there.
   [[nodiscard]] std::uint32_t corner_near(RealVec p, int quarters) const;
@@ -93,11 +109,13 @@ class WedgeRing {
     HalfPlane beyond, after, before;  // the edge's line, the ray through its start, the ray through its end
   };
   [[nodiscard]] std::uint32_t corner_before(double angle) const;
+  [[nodiscard]] Arc facing_box(const RealBox& box) const;
 
   RealVec centre_;
   std::vector<Wedge> wedges_;     // counter-clockwise
   std::vector<RealVec> corners_;  // at each wedge's start
   std::vector<double> angles_;    // of these corners; ascending
+  double angle_slack_{};          // by which one of these angles may be wrong
   RealBox box_;
 };
 

@@ -64,6 +64,45 @@ TEST(WedgeRing, CellsCoverExactlyTheOutside) {
   EXPECT_GT(outside, 1000);
 }
 
+// The count of an arc's wedge from its first one; at least `size` where the arc does not have it.
+std::uint32_t count_in(Arc arc, std::uint32_t wedge, std::uint32_t size) {
+  const std::uint32_t count = (wedge + size - arc.first) % size;
+  return count < arc.count ? count : size;
+}
+
+// (1) Every wedge of an arc that a position in the box lies in is in the part of the arc that faces the box.  (2) That
+// part is seldom the whole arc.
+TEST(WedgeRing, HasNoPositionsInABoxBesideThePartThatFacesIt) {
+  test::Random random{6};
+  int narrowed = 0;
+  int found = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const Coord extent = Coord{1} << random.between(12, 34);
+    SumCache sums;
+    const auto p = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+    const auto q = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+    const WedgeRing ring = rings_of(sums.obstacle({p, random.symmetry()}, {q, random.symmetry()}), {}).front();
+    const RealVec a = geometry::real(random.point(-2 * extent, 2 * extent));
+    const RealVec b = geometry::real(random.point(-extent / 4, extent / 4));
+    const RealBox box{a.x - std::abs(b.x), a.y - std::abs(b.y), a.x + std::abs(b.x), a.y + std::abs(b.y)};
+    const Arc arc = trial % 3 == 0 ? ring.whole()
+                                   : Arc{static_cast<std::uint32_t>(random.below(ring.size())),
+                                         static_cast<std::uint32_t>(1 + random.below(ring.size() - 1))};
+    const auto [begin, end] = ring.part_facing(arc, box);
+    narrowed += end - begin < arc.count ? 1 : 0;
+    for (int step = 0; step <= 400; ++step) {
+      const RealVec at{box.low_x + box.width() * (step % 21) / 20, box.low_y + box.height() * (step / 21) / 20};
+      const std::uint32_t count = count_in(arc, ring.facing(at), ring.size());
+      if (count == ring.size()) continue;
+      ++found;
+      const bool in_part = (begin <= count && count < end) || count + ring.size() < end;
+      EXPECT_TRUE(in_part) << "trial " << trial << ", step " << step;
+    }
+  }
+  EXPECT_GT(narrowed, 200);
+  EXPECT_GT(found, 10'000);
+}
+
 TEST(WedgeRing, FacesTheWedgeOfAPoint) {
   SumCache sums;
   const auto square = sums.outline({{-500, -500}, {500, -500}, {500, 500}, {-500, 500}});
