@@ -1,4 +1,4 @@
-// The words of the core's enumerations on the wire, each spelled here and nowhere else.
+// The names of the core's enumerators in messages.  Each name is defined only here.
 #pragma once
 
 #include <string_view>
@@ -15,7 +15,7 @@
 
 namespace selvage::protocol::calls {
 
-// Why a motion ended.  The first five are scene::StopReason's; the core does not know deadlines.
+// Why a motion ended.  The first five are those of scene::StopReason; the core does not know about deadlines.
 enum class StopCause { kConverged, kWorkLimit, kCancelled, kSolverFailed, kLatticeEnd, kDeadline };
 
 }  // namespace selvage::protocol::calls

@@ -1,8 +1,8 @@
-// What a method is: its name, its descriptor, and how its parameters become a call that can be run.
+// A method: its name, its descriptor, and how its parameters are turned into a call that can be run.
 //
 // Parameters are decoded first, without the marker; the call then runs on a marker and answers with fields and, when it
-// changed the marker, with the marker's next state.  Which markers there are, their revisions, threads and clocks are
-// the caller's.
+// changed the marker, with the marker's next state.  The caller is responsible for open markers, their revisions,
+// threads and clocks.
 #pragma once
 
 #include <functional>
@@ -22,14 +22,14 @@ struct Method {
   std::function<Result<ParsedCall>(const Json& params)> read;
   std::vector<schema::FieldDescription> (*params)(){};
   std::vector<schema::FieldDescription> (*results)(){};
-  // The parameters decoded and encoded again: defaults filled in, in the descriptor's order.  Errors: as read.  Null
-  // for methods that the server serves itself.
+  // Decodes the parameters and encodes them again, with defaults filled in and in the descriptor's order.  Errors:
+  // those of `read`.  Null for methods that the server executes itself.
   Result<Json> (*canonical)(const Json& params){};
-  bool on_marker{};  // the call's `run` is set: the command line, too, can run it on a file
+  bool on_marker{};  // the call's `run` is set, so the command line can also run the method on a file
   bool motion{};     // moves pieces by itself, unlike an edit by hand
 };
 
-// What a message says of the call itself, whichever of these parameters it has.
+// The parameters that concern the call itself, as far as the message has them.
 template <class Params>
 CommonParams common_of(const Params& params) {
   if constexpr (requires { params.call; }) {
@@ -55,7 +55,7 @@ Result<Json> canonical_params(const Json& params) {
   return schema::encode(*read);
 }
 
-// A method that the server serves itself, from the typed parameters of the call.
+// A method that the server executes itself, from the typed parameters of the call.
 template <class Params, class Answer>
 [[nodiscard]] Method served_method(std::string_view name, MethodKind kind, std::string_view summary) {
   const auto read = [name, kind](const Json& params) -> Result<ParsedCall> {

@@ -1,7 +1,7 @@
-// What all motions have in common: the figures that every one of them answers with, and how one becomes a Method.
+// What all motions have in common: the figures that each of them returns, and how a motion becomes a Method.
 //
-// A motion on the wire is one file: its parameters and its result, each with a descriptor, a function that runs it, and
-// one call of motion_method.
+// Each motion is defined in one file: its parameters and its result, each with a descriptor, a function that runs it,
+// and one call of motion_method.
 #pragma once
 
 #include <memory>
@@ -28,11 +28,11 @@ struct RoundsResult {
   }
 };
 
-// What a motion comes to.
+// The outcome of a motion.
 struct MotionEnd {
   Marker marker;
   motion::repair::Repair repair{};
-  bool keep_invalid{};                             // commit even an invalid marker: the caller asked for it
+  bool keep_invalid{};                             // commit even an invalid marker, as the caller requested
   std::shared_ptr<const scene::LaidOut> before{};  // the marker it began with, when the motion laid that out
 };
 template <class Own>
@@ -43,7 +43,7 @@ struct Motion {
 template <class Params, class Own>
 using MotionFunction = Result<Motion<Own>> (*)(const Params&, const Marker&, const MethodContext&);
 
-// The fields of every motion's result around its own.
+// The fields that the result of every motion has in addition to its own.
 struct MotionBefore {
   static constexpr std::string_view kGroup = "motion";
   std::string name;
@@ -90,7 +90,7 @@ struct MotionResult {
   }
 };
 
-// Proves the motion's marker valid and puts the answer together; `own` are the motion's own fields.
+// Proves that the motion's marker is valid and assembles the answer; `own` are the motion's own fields.
 [[nodiscard]] MethodAnswer answer_of(const Marker& start, MotionEnd end, const Json& own, bool commit,
                                      const MethodContext& context);
 

@@ -28,16 +28,16 @@ inline constexpr std::string_view kOpIdMeaning = "A name for this call: a retry 
 inline constexpr std::string_view kReadDeadlineMeaning =
     "After this many milliseconds the call is refused if it has no result; 1 to 86,400,000.";
 
-// What every motion takes.  Revisions, retries, deadlines and progress are the server's business.
+// Parameters of every motion.  The server handles revisions, retries, deadlines and progress.
 struct CommonParams {
   static constexpr std::string_view kGroup = "call";
 
   std::string marker_id;
-  std::optional<Revision> base_revision;  // refuse when the marker is at another
-  bool commit{true};                      // false: answer, but leave the marker as it is
-  bool timing{};                          // answer with the times and the cache's counts, which vary from run to run
-  std::optional<std::string> op_id;       // the client's name for the call
-  std::optional<double> deadline_ms;      // from the call's arrival
+  std::optional<Revision> base_revision;        // refuse the call if the marker is at another revision
+  bool commit{true};                            // false: return the result without changing the marker
+  bool timing{};                                // also return times and cache counts, which vary from run to run
+  std::optional<std::string> op_id;             // the client's name for the call
+  std::optional<double> deadline_ms;            // from the call's arrival
   std::optional<ProgressToken> progress_token;  // absent: no progress notifications
 
   static void describe(auto& v, auto& self) {
@@ -52,7 +52,7 @@ struct CommonParams {
   }
 };
 
-// What every motion takes that works in rounds.
+// Parameters of every motion that works in rounds.
 struct Effort {
   static constexpr std::string_view kGroup = "effort";
 
@@ -75,7 +75,7 @@ struct Effort {
 
 }  // namespace selvage::protocol::calls
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Also declared in the namespace selvage, so that every folder may use the name unqualified.
 namespace selvage {
 using protocol::calls::Revision;
 }  // namespace selvage

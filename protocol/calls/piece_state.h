@@ -1,4 +1,4 @@
-// The full state of a piece, as changes and marker.get with `since` list it.
+// The full state of a piece, as it is listed in changes and by marker.get with `since`.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Results that the answers of many methods share, and how they are made of the core's values.
+// Results that many methods share, and how they are made from the core's values.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ inline constexpr std::string_view kValidMeaning =
 inline constexpr std::string_view kStopMeaning = "Why the motion ended.";
 inline constexpr std::string_view kPieceMeaning = "The piece's id.";
 
-// Of which marker, and of which of its revisions.
+// The marker and the revision that a result belongs to.
 struct AtRevision {
   std::string marker_id;
   Revision revision{};
@@ -67,13 +67,13 @@ struct Placement {
     v.required("tilt", self.tilt, "Degrees, added to the rotation.");
   }
 };
-// The number as messages give it: nothing when all pieces are placed.
+// The number as it appears in messages, where it is absent when all pieces are placed.
 [[nodiscard]] inline std::optional<std::size_t> unplaced_count(const Marker& marker) {
   return marker.unplaced.empty() ? std::nullopt : std::optional{marker.unplaced.size()};
 }
 
-// The pieces whose placement differs, or that are new.  Pieces that are gone are not listed.
-// REQUIRES: pieces in the same order.
+// The pieces whose placement differs, or that are new.  Pieces that were removed are not listed.  REQUIRES: pieces in
+// the same order.
 [[nodiscard]] std::vector<Placement> changed_placements(const Marker& before, const Marker& after);
 
 struct Overlap {

@@ -18,7 +18,7 @@ Result<Vec> place_on_lattice(const Point& place, Resolution resolution, std::str
     if (fits_lattice(coordinate, resolution)) continue;
     return Error{ErrorCode::kOutOfRange,
                  json::number_text(coordinate) + " is too far out; up to " +
-                     json::number_text(to_decimal(kLatticeLimit - 1, resolution)) + " either way is allowed",
+                     json::number_text(to_decimal(kLatticeLimit - 1, resolution)) + " in either direction is allowed",
                  std::string{field}};
   }
   return Vec{to_lattice(place.x, resolution), to_lattice(place.y, resolution)};
@@ -29,7 +29,7 @@ Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std:
     if (marker.pieces[i].id == id) return PieceId{i};
   }
   return Error{ErrorCode::kOutOfRange,
-               json::shortened(Json(id)) + " is no piece of this marker; the id of one of its " +
+               json::shortened(Json(id)) + " is not a piece of this marker; the id of one of its " +
                    std::to_string(marker.pieces.size()) + " pieces is allowed",
                field};
 }
@@ -72,8 +72,8 @@ void Wire<calls::Direction>::read(const FieldAt& at, calls::Direction& value) {
            checked_number(read[1], kAllowed, at.mistake, pointer + "/1")};
   if (std::max(std::abs(value.x), std::abs(value.y)) < calls::kLeastForce) {
     at.mistake.add(ErrorCode::kOutOfRange,
-                   json::shortened(read) + " leads nowhere; [x, y] with x or y of at least " +
-                       json::number_text(calls::kLeastForce) + " either way is allowed",
+                   json::shortened(read) + " has no direction; [x, y] with x or y of at least " +
+                       json::number_text(calls::kLeastForce) + " in absolute value is allowed",
                    pointer);
   }
 }

@@ -1,4 +1,4 @@
-// Values of parameters and results that are neither numbers nor plain strings: points, directions, ids, tokens and
+// Values of parameters and results other than numbers and plain strings: points, directions, ids, tokens and
 // documents.
 #pragma once
 
@@ -16,7 +16,7 @@ using schema::Id;
 // [x, y] in the marker's unit.
 using Point = formats::Decimal;
 [[nodiscard]] Point point_of(Vec at, Resolution resolution);              // exact
-[[nodiscard]] Point point_of(double x, double y, Resolution resolution);  // lattice units that need not be whole
+[[nodiscard]] Point point_of(double x, double y, Resolution resolution);  // fractional lattice units
 // The nearest lattice point.  Errors: kOutOfRange when it is beyond the lattice; `field` names the parameter.
 [[nodiscard]] Result<Vec> place_on_lattice(const Point& place, Resolution resolution, std::string_view field);
 
@@ -24,7 +24,7 @@ using Point = formats::Decimal;
 struct Direction {
   double x{}, y{};
 };
-inline constexpr double kLargestForce = 1e9, kLeastForce = 1e-9;  // of either coordinate; of the larger one
+inline constexpr double kLargestForce = 1e9, kLeastForce = 1e-9;  // limits of absolute values: of each; of the larger
 
 // A number or a short string that the client chose.
 struct ProgressToken {
@@ -37,7 +37,7 @@ struct CallId {
   Json value;
 };
 
-// A JSON object of any content in parameters.  Valid only as long as the parameters are.
+// An arbitrary JSON object in parameters.  Valid only as long as the parameters are.
 struct DocumentView {
   const Json* value{};
 };
@@ -46,7 +46,7 @@ struct Document {
   Json value;
 };
 
-// The marker's piece of this id.  Errors: kOutOfRange; `field` is the parameter that names the piece.
+// The piece of the marker with this id.  Errors: kOutOfRange; `field` is the parameter that names the piece.
 [[nodiscard]] Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std::string& field);
 
 }  // namespace selvage::protocol::calls

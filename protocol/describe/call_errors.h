@@ -1,4 +1,4 @@
-// The errors that calls may answer, for the daemon's description of itself.  protocol/README.md explains their data.
+// The errors that calls may return, for the daemon's description of itself. protocol/README.md explains their data.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct CallError {
 
   rpc::RpcCode code{};
   std::string_view name, meaning;
-  When when{};  // which methods may answer it
+  When when{};  // the methods that may return it
 };
 
 [[nodiscard]] std::span<const CallError> call_errors();

@@ -19,7 +19,7 @@ std::string component_name(std::string_view definition, const Json& schema) {
   return schema.contains("properties") ? name + "Document" : name;
 }
 
-// The schema with references to components in place of those to definitions.
+// The schema, in which references to definitions are replaced by references to components.
 Json with_components(const Json& schema, const Json& definitions) {
   constexpr std::string_view kBefore = "#/definitions/";
   if (schema.is_array()) {

@@ -1,6 +1,6 @@
-// The JSON Schema of marker documents, protocol/marker.schema.json, as schemas of the description: the marker itself is
-// MarkerDocument, its definitions are PieceDocument, ShapeDocument and so on, and definitions that are no objects keep
-// their names: Id, Point, Outline.
+// The JSON Schema of marker documents, protocol/marker.schema.json, as schemas of the description.  The marker itself
+// becomes MarkerDocument, its definitions become PieceDocument, ShapeDocument and so on, and definitions that are not
+// objects keep their names:  Id, Point, Outline.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace selvage::protocol::describe {
 
-// By name, the marker first; references lead to "#/components/schemas/".
+// Returns the schemas with their names, that of the marker first.  References point to "#/components/schemas/".
 [[nodiscard]] std::vector<std::pair<std::string, Json>> marker_schemas();
 
 }  // namespace selvage::protocol::describe

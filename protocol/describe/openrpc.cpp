@@ -43,7 +43,7 @@ Json reference_to(std::string_view component) {
 Json either_schema(const schema::Type& type) {
   Json alternatives = Json::array();
   for (const schema::Type& part : type.parts) {
-    // Alternatives within alternatives become one list.
+    // Nested alternatives become one list.
     Json inner = type_schema(part);
     for (Json& each : inner.contains("anyOf") ? inner["anyOf"] : Json::array({inner}))
       alternatives.push_back(std::move(each));
@@ -51,7 +51,7 @@ Json either_schema(const schema::Type& type) {
   return {{"anyOf", std::move(alternatives)}};
 }
 
-// The schema of a field with its limits and the value that stands for an absent one.
+// The schema of a field with its limits and its default value.
 Json field_schema(const FieldDescription& field) {
   Json schema = type_schema(field.type);
   // Other members of an object with a reference would be ignored.
@@ -114,7 +114,7 @@ Json params_json(const std::vector<FieldDescription>& params) {
   return list;
 }
 
-// References to the errors of the error catalogue that the method may answer.
+// References to the errors in the catalogue that the method may return.
 Json errors_json(const calls::Method& method, const std::vector<FieldDescription>& params) {
   Json list = Json::array();
   const auto has = [&params](std::string_view name) {

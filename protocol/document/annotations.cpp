@@ -6,7 +6,7 @@
 namespace selvage::protocol::document {
 namespace {
 
-// The field, when the value is an object that has it.
+// The field, if the value is an object that has it.
 const Json* field_of(const Json& value, std::string_view key) {
   return value.is_object() ? value.find(key) : nullptr;
 }

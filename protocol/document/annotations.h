@@ -18,7 +18,7 @@
 
 namespace selvage::protocol::document {
 
-// Of a pattern piece; floating point, since nothing is proved from it.
+// A point of a pattern piece, in floating point, because nothing is proved from it.
 struct Spot {
   double x{}, y{};
   friend bool operator==(const Spot&, const Spot&) = default;
@@ -32,7 +32,7 @@ struct Notch {
   NotchKind kind{};
   Spot at;
   double depth{}, width{};      // 0: the file does not say
-  std::optional<double> angle;  // of the direction into the piece; none: perpendicular to the outline
+  std::optional<double> angle;  // of the direction into the piece; if absent, perpendicular to the outline
   friend bool operator==(const Notch&, const Notch&) = default;
 };
 
@@ -63,8 +63,8 @@ struct Annotations {
   friend bool operator==(const Annotations&, const Annotations&) = default;
 };
 
-// The annotations among a shape's attributes.  Attributes may hold anything: what does not have the form above is
-// passed over.
+// Reads the annotations among a shape's attributes.  Attributes may contain anything; whatever does not have the form
+// above is ignored.
 [[nodiscard]] Annotations annotations_of(const Json& attributes);
 // REQUIRES: every number is finite.
 [[nodiscard]] Json annotations_json(const Annotations& annotations);

@@ -1,12 +1,12 @@
-// Where a drawn piece lies: flipped, turned and moved.  Floating point, for drawings and annotations; the exact outline
-// of a placed piece is placed_outline (core/marker/marker.h).
+// The frame of a drawn piece: flip, rotation and translation.  Floating point, for drawings and annotations; the exact
+// outline of a placed piece is placed_outline (core/marker/marker.h).
 #pragma once
 
 #include "protocol/document/annotations.h"
 
 namespace selvage::protocol::document {
 
-// First the flip (y becomes -y), then the turn, then the shift.  Multiples of 90 degrees are exact.
+// First flips (y becomes -y), then rotates, then translates.  Multiples of 90 degrees are exact.
 class Frame {
  public:
   Frame(bool flip, double degrees, Spot at);
@@ -25,7 +25,7 @@ class Frame {
 // The reflection about the line through two different points.
 [[nodiscard]] Frame reflection(Spot a, Spot b);
 
-// The annotations where the frame puts them; their angles lie in [0, 360).
+// The annotations, transformed by the frame; their angles lie in [0, 360).
 [[nodiscard]] Annotations placed(const Annotations& annotations, const Frame& frame);
 
 // The direction into the piece, in degrees, of a notch on a counter-clockwise outline: its own angle, or perpendicular

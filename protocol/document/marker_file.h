@@ -1,5 +1,5 @@
-// A marker as a file holds it: the marker itself, the form it was read from, what reading had to repair or round, and
-// the fields of the file that Selvage keeps without reading them.
+// The content of a marker file: the marker itself, the format it was read from, what the reader had to repair or round,
+// and the fields that Selvage keeps without interpreting them.
 #pragma once
 
 #include <string>
@@ -16,14 +16,14 @@ inline constexpr std::string_view kFormatNames[] = {"native", "sparrow", "outlin
 inline constexpr Format kReadableFormats[] = {Format::kNative, Format::kSparrow};             // all are written
 [[nodiscard]] std::string_view name_of(Format format);
 
-// Something that a reader repaired, rounded or read differently than written.
+// Something that the reader repaired, rounded or interpreted differently from what was written.
 struct Note {
   std::string field;  // JSON pointer into the document that was read
   std::string text;
   friend bool operator==(const Note&, const Note&) = default;
 };
 
-// What a file contains besides the marker itself; every entry is an object, empty when there is nothing.
+// The fields of a file that do not belong to the marker itself.  Every entry is an object, which may be empty.
 struct Attributes {
   Json whole = Json::object();
   std::vector<Json> shapes, pieces, unplaced;  // one per shape, one per placed piece, one per unplaced piece
@@ -31,14 +31,14 @@ struct Attributes {
 
 struct MarkerFile {
   Marker marker;
-  Format format{};  // the form it was read from
+  Format format{};  // the format it was read from
   std::vector<Note> notes;
   Attributes attributes;
 };
 
 }  // namespace selvage::protocol::document
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Also declared in the namespace selvage, so that every folder may use the names unqualified.
 namespace selvage {
 using protocol::document::Format;
 using protocol::document::MarkerFile;

@@ -52,7 +52,7 @@ struct Change {
   // Nothing differs.
   [[nodiscard]] bool none() const { return placements.empty() && removed.empty() && !whole; }
   static void describe(auto& v, auto& self) {
-    v.required("placements", self.placements, "The pieces that are new, or whose placement or lock changed.");
+    v.required("placements", self.placements, "The pieces that are new, or whose placement or locks changed.");
     v.required("removed", self.removed, "Ids of the pieces that were removed.");
     v.optional("whole", self.whole,
                "True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; "

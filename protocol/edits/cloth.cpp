@@ -82,7 +82,7 @@ class ClothMaker {
       file_.notes.push_back({field, "the blocks may overlap where they lie: nest or separate them"});
     if (any || mistake_) return;
     mistake_.add(ErrorCode::kOutOfRange,
-                 json::shortened(Json(*blocks.shape)) + " is the id of no shape; the id of one of its " +
+                 json::shortened(Json(*blocks.shape)) + " is not the id of a shape; the id of one of its " +
                      std::to_string(file_.marker.shapes.size()) + " shapes is allowed",
                  field + "/shape");
   }
@@ -136,7 +136,7 @@ class ClothMaker {
     const std::string& id = given.piece ? *given.piece : *given.shape;
     mistake_.add(ErrorCode::kOutOfRange,
                  json::shortened(Json(id)) +
-                     (given.piece ? " is no piece of this marker; the id of one of its pieces is allowed"
+                     (given.piece ? " is not a piece of this marker; the id of one of its pieces is allowed"
                                   : " is the shape of no piece; the id of a shape that its pieces have is allowed"),
                  field + (given.piece ? "/piece" : "/shape"));
   }

@@ -33,8 +33,9 @@ struct Choices<edits::ClothNap> {
 namespace selvage::protocol::edits {
 
 struct ClothZone {
-  static constexpr std::string_view kName = "ClothZone",
-                                    kMeaning = "A rectangle of the cloth that no piece may cover, or only some.";
+  static constexpr std::string_view
+      kName = "ClothZone",
+      kMeaning = "A rectangle of the cloth that no piece may cover, or only pieces that accept its quality.";
   formats::Decimal from{}, to{};
   std::optional<marker::Quality> quality{};
 
@@ -49,13 +50,13 @@ struct ClothZone {
 // Pieces that are cut roughly first: the outline is widened on the sides that have a length.
 struct BlocksOfShape {
   static constexpr std::string_view kName = "BlocksOfShape",
-                                    kMeaning = "How much larger than its outline the block of a shape is cut.";
+                                    kMeaning = "How much larger than its outline a shape is cut at first.";
   std::optional<std::string> shape{};
   double left{}, right{}, below{}, above{};
 
   static void describe(auto& v, auto& self) {
     v.optional("shape", self.shape, "The id of the shape; absent: every shape.");
-    v.optional("left", self.left, "Towards smaller x of the shape.", kLengths);
+    v.optional("left", self.left, "Towards smaller x, in the coordinates of the shape.", kLengths);
     v.optional("right", self.right, "Towards larger x.", kLengths);
     v.optional("below", self.below, "Towards smaller y.", kLengths);
     v.optional("above", self.above, "Towards larger y.", kLengths);
@@ -70,8 +71,8 @@ struct RulesOfPieces {
 
   static void describe(auto& v, auto& self) {
     v.optional("piece", self.piece, "The id of the piece.");
-    v.optional("shape", self.shape, "Or the id of the shape.");
-    v.required("rules", self.rules, "All rules that they have.");
+    v.optional("shape", self.shape, "The id of the shape, instead of a piece.");
+    v.required("rules", self.rules, "The complete rules, which replace all earlier ones.");
     v.check(one_of("piece", "shape"));
   }
 };
@@ -93,14 +94,15 @@ struct Cloth {
                kLengths);
     v.optional("marginBelow", self.margin_below, "Distance from the lower edge, in place of the margin.", kLengths);
     v.optional("marginAbove", self.margin_above, "Distance from the upper edge, in place of the margin.", kLengths);
-    v.optional("repeatAlong", self.repeat_along, "Length of the pattern's repeat in x; 0: there is none.", kLengths);
-    v.optional("repeatAcross", self.repeat_across, "Length of the pattern's repeat in y; 0: there is none.", kLengths);
+    v.optional("repeatAlong", self.repeat_along, "Length of the pattern's repeat in x; 0 for none.", kLengths);
+    v.optional("repeatAcross", self.repeat_across, "Length of the pattern's repeat in y; 0 for none.", kLengths);
     v.optional("repeatPhase", self.repeat_phase, "A point at which a repeat begins.");
     v.optional("shade", self.shade,
-               "Length within which the pieces of a shade lie; pieces without one belong to that of their bundle.",
+               "Length along the strip within which the pieces of a shade must lie; pieces without a shade belong to "
+               "that of their bundle.",
                {.range = {{1e-6, formats::kStripWidths.most}}});
     v.optional("napDirection", self.nap_direction,
-               "How all pieces lie on cloth with a nap; up_and_down: every second bundle lies down.");
+               "How all pieces lie on cloth with a nap; with up_and_down, every second bundle lies down.");
     v.optional("tube", self.tube, "True: the cloth is a tube, whose upper edge is a fold like the lower one.");
     v.optional("zones", self.zones,
                R"(Parts of the cloth that no piece may cover: [{"from": [X, Y], "to": [X, Y]}], or only some.)",

@@ -60,7 +60,7 @@ class Editor {
     const auto found = by_id_.find(id);
     if (found == by_id_.end()) {
       mistake_.add(ErrorCode::kOutOfRange,
-                   json::shortened(Json(id)) + " is no piece of this marker; the id of one of its " +
+                   json::shortened(Json(id)) + " is not a piece of this marker; the id of one of its " +
                        std::to_string(by_id_.size()) + " pieces is allowed",
                    pointer_of(edit_, "/piece"));
       return nullptr;
@@ -80,7 +80,7 @@ class Editor {
     if (add.shape) add_shape(add);
     const auto shape = shapes_.find(add.piece.piece.shape);
     if (shape == shapes_.end()) {
-      mistake_.add(ErrorCode::kUnknownShape, json::shortened(Json(add.piece.piece.shape)) + " is the id of no shape",
+      mistake_.add(ErrorCode::kUnknownShape, json::shortened(Json(add.piece.piece.shape)) + " is not the id of a shape",
                    pointer_of(edit_, "/piece/shape"));
     }
     if (by_id_.contains(add.piece.piece.piece.id) || unplaced_by_id_.contains(add.piece.piece.piece.id)) {
@@ -153,7 +153,7 @@ class Editor {
     const std::string& id = place.piece.text;
     if (!unplaced_by_id_.contains(id)) {
       mistake_.add(ErrorCode::kOutOfRange,
-                   json::shortened(Json(id)) + " is no unplaced piece of this marker; the id of one of its " +
+                   json::shortened(Json(id)) + " is not an unplaced piece of this marker; the id of one of its " +
                        std::to_string(unplaced_by_id_.size()) + " unplaced pieces is allowed",
                    pointer_of(edit_, "/piece"));
       return;

@@ -85,8 +85,8 @@ struct PlacePiece {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kUnplacedMeaning);
     v.required("at", self.at, "The position of its origin.");
-    v.optional("rotation", self.rotation, "A rotation that the shape allows; absent: as it is.", kDegrees);
-    v.optional("flip", self.flip, "Whether it is mirrored; absent: as it is.");
+    v.optional("rotation", self.rotation, "A rotation that the shape allows; unchanged when absent.", kDegrees);
+    v.optional("flip", self.flip, "Whether it is mirrored; unchanged when absent.");
   }
 };
 struct TakeOffPiece {
@@ -100,8 +100,10 @@ struct TakeOffPiece {
   }
 };
 struct MovePiece {
-  static constexpr std::string_view kOp = "move", kName = "MoveEdit",
-                                    kMeaning = "Moves a piece to a position or by a distance: at or by is required.";
+  static constexpr std::string_view
+      kOp = "move",
+      kName = "MoveEdit",
+      kMeaning = "Moves a piece to a position (at) or by a distance (by); one of these is required.";
   calls::Id piece;
   std::optional<calls::Point> at, by;
 
@@ -137,12 +139,12 @@ struct FlipPiece {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kPieceMeaning);
-    v.optional("flip", self.flip, "Whether the piece is mirrored afterwards; absent: toggles.");
+    v.optional("flip", self.flip, "Whether the piece is mirrored afterwards; toggled when absent.");
   }
 };
 struct TiltPiece {
   static constexpr std::string_view kOp = "tilt", kName = "TiltEdit",
-                                    kMeaning = "Tilts a piece within its shape's tilt limit: to or by is required.";
+                                    kMeaning = "Tilts a piece within its shape's tilt limit; to or by is required.";
   calls::Id piece;
   std::optional<double> to, by;  // degrees
 
@@ -163,7 +165,7 @@ struct LockPiece {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kPieceMeaning);
-    v.optional("locked", self.locks, "What is locked; absent: the whole piece.");
+    v.optional("locked", self.locks, "Which movements are locked; the whole piece when absent.");
   }
 };
 struct GroupPiece {
@@ -175,7 +177,7 @@ struct GroupPiece {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kPieceMeaning);
-    v.optional("group", self.group, "The group; absent: removes the piece from its group.");
+    v.optional("group", self.group, "The group; when absent, the piece is removed from its group.");
   }
 };
 struct BufferPiece {
@@ -199,7 +201,8 @@ struct OverlapPiece {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kPieceMeaning);
-    v.optional("overlap", self.overlap, "A length; absent: the marker's allowance holds for the piece.", kLengths);
+    v.optional("overlap", self.overlap, "A length; when absent, the marker's allowance applies to the piece.",
+               kLengths);
   }
 };
 struct RulesOfPiece {
@@ -211,7 +214,7 @@ struct RulesOfPiece {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.required("piece", self.piece, kPieceMeaning);
-    v.optional("rules", self.rules, "All of its rules; absent: it has none.");
+    v.optional("rules", self.rules, "The complete rules of the piece; it has none when absent.");
   }
 };
 struct SetStrip {
@@ -227,11 +230,11 @@ struct SetStrip {
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
     v.optional("width", self.width, "The width of the strip.", {.range = formats::kStripWidths});
-    v.optional("longest", self.longest, "The x coordinate where the cloth ends; null: it has no end.", kLengths);
+    v.optional("longest", self.longest, "The x coordinate where the cloth ends; null for cloth without end.", kLengths);
     v.optional("margin", self.margin, "The distance that pieces keep from the strip's edges.", kLengths);
-    v.optional("below", self.below, "The distance from the lower edge; null: the margin.", kLengths);
-    v.optional("above", self.above, "The distance from the upper edge; null: the margin.", kLengths);
-    v.optional("repeat", self.repeat, "The pattern of the cloth; {}: it has none.");
+    v.optional("below", self.below, "The distance from the lower edge; null for the margin.", kLengths);
+    v.optional("above", self.above, "The distance from the upper edge; null for the margin.", kLengths);
+    v.optional("repeat", self.repeat, "The pattern of the cloth; {} for none.");
     v.optional("tube", self.tube, "Whether the cloth is a tube, whose upper edge is a fold, too.");
     v.check([](const json::Fields& op, json::Mistake& mistake) {
       for (const std::string_view field : {"width", "longest", "margin", "below", "above", "repeat", "tube"}) {
@@ -270,7 +273,7 @@ struct SetShade {
 
   static void describe(auto& v, auto& self) {
     v.constant("op", kOp, kOpMeaning);
-    v.required("shade", self.shade, "A length; null: shades have no effect.", kLengths);
+    v.required("shade", self.shade, "A length; null if shades have no effect.", kLengths);
   }
 };
 

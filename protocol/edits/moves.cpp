@@ -46,7 +46,7 @@ Move read_move(const Json& value, const Marker& marker, json::Mistake& mistake) 
   const bool fine = value.is_array() && value.size() == 2 && value[0].is_number_unsigned() &&
                     value[0].get<std::uint64_t>() < marker.pieces.size();
   if (!fine) {
-    mistake.add(ErrorCode::kWrongType, json::shortened(value) + " is no move of a piece of this marker", "");
+    mistake.add(ErrorCode::kWrongType, json::shortened(value) + " is not a move of a piece of this marker", "");
     return {};
   }
   const auto index = value[0].get<std::uint32_t>();

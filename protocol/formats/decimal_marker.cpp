@@ -55,7 +55,7 @@ std::optional<Error> unknown_shape(const std::vector<DecimalPiece>& pieces, std:
                                    const ShapeIndex& index) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (index.contains(pieces[i].shape)) continue;
-    return Error{ErrorCode::kUnknownShape, json::shortened(Json(pieces[i].shape)) + " is the id of no shape",
+    return Error{ErrorCode::kUnknownShape, json::shortened(Json(pieces[i].shape)) + " is not the id of a shape",
                  indexed(list, i, "/shape")};
   }
   return std::nullopt;

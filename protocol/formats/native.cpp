@@ -81,7 +81,7 @@ std::optional<Resolution> read_resolution(json::Fields& fields, json::Mistake& m
   for (int exponent = geometry::kFinestExponent; exponent <= geometry::kCoarsestExponent; ++exponent) {
     if (to_decimal(1, Resolution{exponent}) == *value) return Resolution{exponent};
   }
-  mistake.add(ErrorCode::kOutOfRange, json::number_text(*value) + " is no power of ten between 1e-22 and 1e6",
+  mistake.add(ErrorCode::kOutOfRange, json::number_text(*value) + " is not a power of ten between 1e-22 and 1e6",
               fields.pointer("resolution"));
   return std::nullopt;
 }

@@ -197,7 +197,7 @@ void Fields::finish() {
     std::string allowed;
     for (const std::string& known : known_) allowed += (allowed.empty() ? "" : ", ") + known;
     mistake_.add(ErrorCode::kUnknownField,
-                 "the field is not known; " + (allowed.empty() ? "none" : allowed) + " may be here", pointer(key));
+                 "the field is not known; allowed here: " + (allowed.empty() ? "none" : allowed), pointer(key));
     return;
   }
 }

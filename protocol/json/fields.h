@@ -1,9 +1,9 @@
-// Reading a JSON object field by field, with every mistake named.
+// Reads a JSON object field by field and reports mistakes with the field's name.
 //
-// A Fields wraps one object and knows its JSON pointer.  Each getter checks the type and the range and marks
-// the field as read; finish() reports the first field that nobody asked for.  The first mistake found is kept
-// in the shared Mistake and is the one reported: after it, getters return harmless values, so reading code
-// needs one check at its end.
+// A Fields wraps one object and knows its JSON pointer.  Each getter checks the type and the range and marks the field
+// as read; finish() reports the first field that was not read.  The first mistake is kept in the shared Mistake and is
+// the one that is reported.  After it, getters return harmless values, so the calling code needs only one check at its
+// end.
 #pragma once
 
 #include <cstdint>
@@ -73,9 +73,9 @@ class Fields {
   [[nodiscard]] const Json* maybe_object(std::string_view key);
   [[nodiscard]] const Json* maybe_any(std::string_view key);
 
-  // Reports the first field that no getter asked for.
+  // Reports the first field that no getter has read.
   void finish();
-  // The fields that no getter asked for, for formats that may carry more than we read.
+  // The fields that no getter has read, for formats that may contain more than we read.
   [[nodiscard]] Json rest() const;
 
  private:
@@ -86,7 +86,7 @@ class Fields {
   const Json& value_;
   std::string at_;
   Mistake& mistake_;
-  std::vector<std::string> known_;  // asked for, whether present or not
+  std::vector<std::string> known_;  // the fields that getters have asked for, present or not
 };
 
 // One number outside an object, such as an element of an array.  `at` is called only for a mistake.

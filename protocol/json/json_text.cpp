@@ -21,7 +21,7 @@ std::string place_of(std::string_view text, std::size_t position) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-// Looks for nesting and numbers of values beyond the limits before anything is built, since a deep tree cannot even be
+// Checks the depth of nesting and the number of values before anything is built, because a deep tree cannot even be
 // destroyed safely.
 std::optional<Error> check_shape(std::string_view text, std::size_t most) {
   int depth = 0;
@@ -53,8 +53,8 @@ std::optional<Error> check_shape(std::string_view text, std::size_t most) {
 
 using Library = nlohmann::json;
 
-// Builds the document from the parser's events, so that what the parser itself lets pass can be refused on
-// the way.
+// Builds the document from the parser's events, in order to refuse texts that the parser itself
+// accepts.
 class Builder {
  public:
   using number_integer_t = Library::number_integer_t;
@@ -87,7 +87,7 @@ class Builder {
     const bool twice = object.contains(value);
     key_ = std::move(value);
     if (twice)
-      return fail(ErrorCode::kDuplicateField, "the field is there twice; each may appear once", pointer() + "/" + key_);
+      return fail(ErrorCode::kDuplicateField, "the field appears twice; each may appear once", pointer() + "/" + key_);
     return true;
   }
 
@@ -156,7 +156,7 @@ void append_text(std::string& out, const Json& value);
 void append_string(std::string& out, const std::string& text) {
   for (const char c : text) {
     if (c < 0x20 || c == '"' || c == '\\' || c == 0x7f) {
-      // Rare: escapes, other alphabets.  Bad UTF-8 becomes the replacement character instead of bad JSON.
+      // The rare case: escapes, other alphabets.  Invalid UTF-8 becomes the replacement character, not invalid JSON.
       out += Library(text).dump(-1, ' ', false, Library::error_handler_t::replace);
       return;
     }
@@ -250,8 +250,8 @@ void append_indented(std::string& out, const Json& value, int level) {
 
 }  // namespace
 
-// Text of commas and brackets becomes a tree of forty times its size: no more values than a part of the bytes that a
-// text may have.  Outlines are about as many values as may be: a point is three, and some twenty bytes.
+// A text of commas and brackets becomes a tree of forty times its size, so the number of values is limited to a
+// fraction of the number of bytes.  Outlines come close to this limit: a point has three values and some twenty bytes.
 std::size_t most_values(std::size_t max_bytes) {
   constexpr std::size_t kBytesPerValue = 16, kLeast = 10'000;
   return std::max(kLeast, max_bytes / kBytesPerValue);
@@ -293,7 +293,7 @@ std::string number_text(double value) {
 std::string shortened(const Json& value, std::size_t most) {
   std::string text = to_text(value);
   if (text.size() <= most) return text;
-  // Cut before a byte that starts a character.
+  // Cuts only before the first byte of a character.
   std::size_t end = most;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;
   text.resize(end);

@@ -1,9 +1,9 @@
 // JSON as text: a strict reader with limits, and a writer whose decimals are exact.
 //
-// Reading refuses what would hurt later: nesting deeper than kMaxDepth, objects of more than kMaxFields fields, a key
-// twice in one object, more values than a 16th of the bytes allowed, numbers no double holds, bad UTF-8.  Writing
-// prints every double as its shortest decimal that reads back as the same double (std::to_chars): a lattice coordinate
-// that came through to_decimal is printed exactly.
+// The reader refuses text that would cause problems later: nesting deeper than kMaxDepth, objects with more than
+// kMaxFields fields, duplicate keys, more values than a 16th of the allowed bytes, numbers beyond the range of double,
+// and invalid UTF-8.  The writer prints every double as its shortest decimal that reads back as the same double
+// (std::to_chars): a lattice coordinate that came through to_decimal is printed exactly.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ inline constexpr int kMaxDepth = 64;
 inline constexpr std::size_t kMaxFields = 256;                       // of one object
 inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;  // of a marker read from a file
 
-// How many values a text may have that may be so long.
+// The maximum number of values in a text whose length has this limit.
 [[nodiscard]] std::size_t most_values(std::size_t max_bytes);
 
 // Errors: kSyntax (with line and column), kDepth, kOutOfRange (the text is too long or has too many values, a number
@@ -27,8 +27,8 @@ inline constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;  // of a mar
 [[nodiscard]] Result<Json> parse(std::string_view text, std::size_t max_bytes = kMaxFileBytes);
 
 enum class Layout { kCompact, kIndented };
-// Compact is one line without blanks.  Indented has a field per line; short objects and arrays that hold no
-// object stay on one line.  Neither ends with a newline.  REQUIRES: every number is finite.
+// Compact text is one line without blanks.  Indented text has one field per line, except that short objects and arrays
+// that contain no object stay on one line.  Neither ends with a newline.  REQUIRES: every number is finite.
 [[nodiscard]] std::string to_text(const Json& value, Layout layout = Layout::kCompact);
 
 // The shortest decimal that reads back as `value`; plain digits between 1e-6 and 1e15, an exponent beyond.

@@ -1,12 +1,12 @@
-// A JSON value as the protocol passes it on: null, a boolean, a number, a text, an array or an object.
+// A JSON value: null, a boolean, a number, a text, an array or an object.
 //
 // It is a plain class rather than a library's template because nearly every source of the protocol, the server and the
-// command holds one: a template would be instantiated anew in each of them, which made up half of the time that a first
-// build took.  The text is still read by a library (json_text.cpp).
+// command holds one: a template would be instantiated again in each of them, which took half of the time of a first
+// build.  JSON text is still parsed by a library (json_text.cpp).
 //
-// An object keeps the order of its fields, so that what is passed through stays readable; looking up a field takes time
-// linear in their number, which the reader limits.  Integers are kept apart from decimals, so that ids of 64 bits
-// survive.
+// An object keeps the order of its fields, so that documents that are passed through remain readable.  Looking up a
+// field takes time linear in the number of fields, which the reader limits.  Integers are stored separately from
+// decimals, so that 64-bit ids are preserved.
 #pragma once
 
 #include <compare>
@@ -32,7 +32,7 @@ class Json {
   using Parts = std::initializer_list<Part>;
 
   Json() = default;  // null
-  // Implicit, so that values and the parts of objects can be written as they are.
+  // The constructors are implicit, so that values and parts of objects can be written without a cast.
   // NOLINTBEGIN(google-explicit-constructor)
   Json(std::nullptr_t) {}
   Json(std::same_as<bool> auto value) : kind_{Kind::kBoolean} { held_.boolean = value; }
@@ -43,8 +43,8 @@ class Json {
   Json(std::string value);
   Json(std::string_view value);
   Json(const char* value);
-  // NOLINTEND(google-explicit-constructor)
-  // An object when every part is a pair of a text and a value, otherwise an array.
+  // NOLINTEND(google-explicit-constructor) An object if every part is a pair of a text and a value, otherwise an
+  // array.
   Json(Parts parts);
   Json(const Json& other);
   Json(Json&& other) noexcept : kind_{other.kind_}, held_{other.held_} { other.kind_ = Kind::kNull; }
@@ -57,8 +57,8 @@ class Json {
   [[nodiscard]] static Json array(Parts parts = {});
   [[nodiscard]] static Json array(std::size_t size);  // of nulls
   [[nodiscard]] static Json object(Parts parts = {});
-  // A text of our own making.  Throws std::invalid_argument when it is not JSON; what comes from outside is read by
-  // parse() of json_text.h.
+  // Parses a text from the program itself.  Throws std::invalid_argument if it is not JSON.  Use parse() of json_text.h
+  // for text from outside.
   [[nodiscard]] static Json parse(std::string_view text);
 
   [[nodiscard]] Kind kind() const { return kind_; }
@@ -66,7 +66,7 @@ class Json {
   [[nodiscard]] bool is_boolean() const { return kind_ == Kind::kBoolean; }
   [[nodiscard]] bool is_number() const { return is_number_integer() || kind_ == Kind::kDecimal; }
   [[nodiscard]] bool is_number_integer() const { return kind_ == Kind::kInteger || is_number_unsigned(); }
-  // Not negative: the reader makes every integer from zero up unsigned.
+  // Not negative: the reader stores every integer that is at least 0 as unsigned.
   [[nodiscard]] bool is_number_unsigned() const { return kind_ == Kind::kUnsigned; }
   [[nodiscard]] bool is_string() const { return kind_ == Kind::kText; }
   [[nodiscard]] bool is_array() const { return kind_ == Kind::kArray; }
@@ -134,7 +134,7 @@ class Json {
   [[nodiscard]] std::string value(std::string_view key, const char* fallback) const {
     return value(key, std::string{fallback});
   }
-  // Adds a field without looking whether it is there.  REQUIRES: an object without this field.
+  // Adds a field without checking whether it exists.  REQUIRES: an object without this field.
   Json& append(std::string key, Json value);
   // Removes the field or the element, if there is one.
   void erase(std::string_view key);
@@ -142,15 +142,15 @@ class Json {
   // Sets every field of `fields`, in their order.  REQUIRES: both are objects.
   void update(const Json& fields);
 
-  // Numbers are equal when their values are; objects whatever the order of their fields.
+  // Numbers are equal if their values are.  The order of an object's fields does not matter.
   friend bool operator==(const Json& a, const Json& b) { return equal(a, b); }
-  // Numbers by their value, texts by their characters; anything else is unordered.
+  // Orders numbers by value and texts by their characters; anything else is unordered.
   friend std::partial_ordering operator<=>(const Json& a, const Json& b) {
     if (a.is_number() && b.is_number()) return a.number() <=> b.number();
     if (a.is_string() && b.is_string()) return a.text() <=> b.text();
     return std::partial_ordering::unordered;
   }
-  // As compact text, for messages of tests.
+  // Prints compact text, for the messages of tests.
   friend std::ostream& operator<<(std::ostream& out, const Json& value) { return print(out, value); }
 
  private:
@@ -179,7 +179,7 @@ class Json {
   Held held_{};
 };
 
-// Moved rather than copied out of the braces that it is written in.
+// Allows moving a value out of an initializer list, which would otherwise copy it.
 struct Json::Part {
   Part(Parts parts) : value(parts) {}
   template <typename T>
@@ -193,7 +193,7 @@ inline Json::Json(const char* value) : Json(std::string_view{value}) {}
 
 }  // namespace selvage::protocol::json
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Also declared in the namespace selvage, so that every folder may use the name unqualified.
 namespace selvage {
 using protocol::json::Json;
 }  // namespace selvage

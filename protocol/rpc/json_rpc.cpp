@@ -9,14 +9,15 @@ BadRequest bad_request(Json id, std::string message, Json data = nullptr) {
   return {std::move(id), {RpcCode::kInvalidRequest, std::move(message), std::move(data)}};
 }
 
-// An id that can be sent back: the standard's string, number or null.
+// Whether the id can be sent back: the standard allows a string, a number or null.
 bool usable_id(const Json& id) {
   return id.is_string() || id.is_number() || id.is_null();
 }
 
-// Takes the parameters out of `value`: they may be large.
+// Moves the parameters out of `value`, because they may be large.
 Call read_call(Json& value) {
-  if (!value.is_object()) return bad_request(nullptr, json::shortened(value) + " is no request; an object is required");
+  if (!value.is_object())
+    return bad_request(nullptr, json::shortened(value) + " is not a request; an object is required");
   Request request;
   if (const Json* id = value.find("id")) {
     if (!usable_id(*id)) return bad_request(nullptr, "/id: a string, a number or null is required");
@@ -30,11 +31,11 @@ Call read_call(Json& value) {
   request.method = method->get<std::string>();
   for (const auto& [key, field] : value.items()) {
     if (key == "jsonrpc" || key == "id" || key == "method" || key == "params") continue;
-    return bad_request(id, json::shortened(Json(key)) + " is not known; jsonrpc, id, method, params may be here");
+    return bad_request(id, json::shortened(Json(key)) + " is not known; allowed here: jsonrpc, id, method, params");
   }
   if (Json* params = value.find("params")) {
-    // An array is a request too, by the standard; the method's decoder refuses it, so that a notification
-    // stays silent.
+    // By the standard, parameters may also be an array.  The method's decoder refuses an array, so that a notification
+    // remains unanswered.
     if (!params->is_object() && !params->is_array()) return bad_request(id, "/params: an object is required");
     request.params = std::move(*params);
   }
@@ -50,17 +51,17 @@ Incoming only(BadRequest bad) {
 Incoming parse_incoming(std::string_view text, std::size_t max_bytes) {
   if (text.size() > max_bytes) {
     const std::string message = "the request is " + std::to_string(text.size()) + " bytes long; at most " +
-                                std::to_string(max_bytes) + " are taken";
+                                std::to_string(max_bytes) + " are accepted";
     return only({nullptr, {RpcCode::kTooLarge, message, {{"limit", max_bytes}}}});
   }
   auto document = json::parse(text, max_bytes);
   if (!document) return only({nullptr, rpc_error(document.error(), RpcCode::kParseError)});
   if (!document->is_array()) return {.batch = false, .calls = {read_call(*document)}};
-  if (document->empty()) return only(bad_request(nullptr, "a batch holds at least one call"));
+  if (document->empty()) return only(bad_request(nullptr, "an empty batch; at least one call is required"));
   if (document->size() > kMaxBatch) {
     return only(bad_request(nullptr,
                             "a batch of " + std::to_string(document->size()) + " calls; at most " +
-                                std::to_string(kMaxBatch) + " are taken",
+                                std::to_string(kMaxBatch) + " are accepted",
                             {{"limit", kMaxBatch}}));
   }
   Incoming incoming{.batch = true, .calls = {}};

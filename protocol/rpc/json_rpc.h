@@ -1,6 +1,6 @@
 // JSON-RPC 2.0: the envelope of every call and answer.
 //
-// Parameters go by name only.  A batch holds at most kMaxBatch calls.  A call without an id is a notification
+// Parameters are passed by name only.  A batch holds at most kMaxBatch calls.  A call without an id is a notification
 // and is never answered.  Codes never change their meaning.
 #pragma once
 
@@ -25,15 +25,15 @@ enum class RpcCode : int {
   kMotionRefused = -32000,  // the marker does not allow this motion; data says why
 
   kBusy = -32010,           // the queue is full; data.retryAfterMs
-  kTooLarge = -32011,       // the text is longer than the server takes; data.limit
+  kTooLarge = -32011,       // the text is longer than the server accepts; data.limit
   kUnknownMarker = -32012,  // no marker of this id
   kLimit = -32013,          // a limit of this server, such as the number of open markers; data.limit
-  kDraining = -32014,       // the server is going down and takes no new work
-  kUnauthorised = -32015,   // the connection has not shown the token
+  kDraining = -32014,       // the server is shutting down and accepts no new calls
+  kUnauthorised = -32015,   // the connection has not sent the token
 
   kCancelled = -32800,         // the client asked to stop
-  kRevisionMismatch = -32801,  // the marker moved on; data.revision is the present one
-  kSuperseded = -32802,        // a newer call of the same kind took this one's place
+  kRevisionMismatch = -32801,  // the marker has another revision now, which is data.revision
+  kSuperseded = -32802,        // a newer call of the same kind has replaced this one
 };
 
 inline constexpr std::size_t kMaxBatch = 100;
@@ -50,7 +50,7 @@ struct Request {
   Json params = Json::object();  // an object; or an array, which every decoder refuses
 };
 
-// A call that is no request: answered with this, under the id when one could be read, else null.
+// A call that is not a valid request.  It is answered with this error, under its id or, if that is unusable, null.
 struct BadRequest {
   Json id;
   RpcError error;
@@ -59,24 +59,24 @@ struct BadRequest {
 using Call = std::variant<Request, BadRequest>;
 
 struct Incoming {
-  bool batch{};  // the answers go back as one array, even a single one
+  bool batch{};  // the answers are sent as one array, even if there is only one
   std::vector<Call> calls;
 };
 
-// Never fails: text that is not JSON or not a call comes back as a BadRequest.  A batch that is empty or too
-// long is one BadRequest and no batch.
+// Never fails: text that is not JSON or not a call is returned as a BadRequest.  A batch that is empty or too long is
+// one BadRequest and no batch.
 [[nodiscard]] Incoming parse_incoming(std::string_view text, std::size_t max_bytes);
 
 [[nodiscard]] Json response(const Json& id, Json result);
-// The same as text, of a result that is text already.
+// The same as text, for a result that is text already.
 [[nodiscard]] std::string response_text(const Json& id, std::string_view result);
 [[nodiscard]] Json error_response(const Json& id, const RpcError& error);
 
-// A message of the server's own accord; it has no id and wants no answer.
+// A notification from the server; it has no id and is not answered.
 [[nodiscard]] Json notification(std::string_view method, Json params);
 
-// An Error of the core or the codec on the wire: its own code, name and field travel in data:
-// {"code": 1102, "name": "shape.zero_area", "field": "/marker/shapes/0/outline"}.
+// An Error of the core or the codec as a JSON-RPC error, with its own code, name and field in `data`: {"code": 1102,
+// "name":  "shape.zero_area", "field":  "/marker/shapes/0/outline"}.
 [[nodiscard]] RpcError rpc_error(const Error& error, RpcCode code = RpcCode::kInvalidParams);
 
 }  // namespace selvage::protocol::rpc

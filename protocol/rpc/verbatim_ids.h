@@ -1,7 +1,7 @@
-// The ids of calls as they were written.
+// Keeps the ids of calls exactly as they were written.
 //
-// A number beyond 64 bits, or with a fraction or an exponent, is read as a double, which may not be the number that was
-// sent: such an id is sent back as its own text.
+// A number beyond 64 bits, or with a fraction or an exponent, is read as a double, which may differ from the number
+// that was sent.  Therefore such an id is sent back as the text that was received.
 #pragma once
 
 #include <string>

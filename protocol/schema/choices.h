@@ -1,5 +1,5 @@
-// Enumerations on the wire: each value is written as a word.  The words of an enumeration are spelled once,
-// in a specialisation of Choices; decoders, encoders, OpenRPC and the command line all read them there.
+// Enumerations on the wire: each value is written as a word.  The words of an enumeration are defined once, in a
+// specialisation of Choices, which decoders, encoders, OpenRPC and the command line all use.
 #pragma once
 
 #include <algorithm>

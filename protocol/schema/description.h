@@ -1,5 +1,5 @@
-// Descriptions of messages as values: what OpenRPC, the generated clients, the pages of documentation and the command
-// line read.  They are derived from the C++ types of a message's fields (wire.h, visitors.h), never written by hand.
+// Descriptions of messages as values, from which OpenRPC, clients, documentation and the command line are made.  They
+// are derived from the C++ types of a message's fields (wire.h, visitors.h), never written by hand.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct Type {
   Kind kind{};
   std::string_view text{};
   std::vector<Type> parts{};
-  const Component& (*component)(){};  // a function, since a component may contain itself
+  const Component& (*component)(){};  // a function, because a component may contain itself
 };
 [[nodiscard]] Type list_of(Type element);
 [[nodiscard]] Type pair_of(Type element);

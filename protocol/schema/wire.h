@@ -1,10 +1,10 @@
-// How values of C++ types stand in JSON.  Wire<T> has
+// How values of C++ types are represented in JSON.  Wire<T> has
 //   type():          the description of the type
 //   write(value):    the value as JSON
 //   read(at, value): the value from a field of an object; a mistake is noted when the field does not suit, and `value`
 //                    keeps its default when the field is absent and not required.  For types of results, read may be
 //                    missing.
-// Other folders specialise it for types of their own.
+// Other folders specialise it for their own types.
 #pragma once
 
 #include <concepts>
@@ -121,7 +121,7 @@ struct Wire<std::optional<T>> {
   }
 };
 
-// The elements of a list that is a parameter, each with its JSON pointer; none when the list is not as required.
+// The elements of a list parameter, each with its JSON pointer; none if the list does not satisfy its limits.
 [[nodiscard]] std::vector<std::pair<const Json*, std::string>> read_entries(const FieldAt& at);
 
 template <class T>

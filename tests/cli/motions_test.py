@@ -203,8 +203,8 @@ class Bump(CliTest):
 
     def test_names_invalid_input_and_writes_no_file(self):
         marker = self.write(squares((0, 0), (50, 10)))
-        for piece, direction, said in (("p9", "1,0", '/piece: "p9" is no piece of this marker'),
-                                       ("p1", "0,0", "/direction: [0,0] leads nowhere"),
+        for piece, direction, said in (("p9", "1,0", '/piece: "p9" is not a piece of this marker'),
+                                       ("p1", "0,0", "/direction: [0,0] has no direction"),
                                        ("p1", "nan,1", "/direction/0: nan is out of range"),
                                        ("p1", "1,-inf", "/direction/1: -inf is out of range")):
             with self.subTest(direction):

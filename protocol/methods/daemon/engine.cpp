@@ -22,7 +22,7 @@ struct DiscoverResult {
     v.required("info", self.info, "Title and version.");
     v.required("methods", self.methods, "All methods.");
     v.required("components", self.components, "The types that the methods use.");
-    v.required("x-notifications", self.notifications, "What the daemon sends without being asked.");
+    v.required("x-notifications", self.notifications, "The notifications that the daemon sends.");
   }
 };
 

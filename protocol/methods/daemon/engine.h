@@ -88,7 +88,7 @@ struct CancelResult {
   bool cancelled{};
 
   static void describe(auto& v, auto& self) {
-    v.required("cancelled", self.cancelled, "Whether the request came in time.");
+    v.required("cancelled", self.cancelled, "Whether the request arrived in time.");
   }
 };
 

@@ -42,14 +42,14 @@ struct Choices<trade::LengthUnit> {
 template <>
 struct Choices<trade::FoldRule> {
   static constexpr std::string_view kName = "FoldRule";
-  static constexpr std::string_view kMeaning = "What becomes of a half piece that is drawn up to its mirror line.";
+  static constexpr std::string_view kMeaning = "What happens to a half piece that is drawn up to its mirror line.";
   static constexpr auto& kWords = trade::kFoldWords;
 };
 
 template <>
 struct Choices<trade::Nap> {
   static constexpr std::string_view kName = "Nap";
-  static constexpr std::string_view kMeaning = "Whether pieces may also lie turned by 180 degrees.";
+  static constexpr std::string_view kMeaning = "Whether pieces may also be rotated by 180 degrees.";
   static constexpr auto& kWords = trade::kNapWords;
 };
 
@@ -78,14 +78,16 @@ struct ReadingFields {
     v.optional("sizes", self.sizes, "The sizes of a graded pattern that are read; all when absent.",
                {.entries = {{0, kMostSizes}}, .entries_are = "sizes"});
     v.optional("fold", self.options.fold,
-               "Unfold half pieces, keep them as drawn, or lay them on the fold of the cloth, whose two layers make a "
-               "pair of every other piece; unfold when absent.");
+               "Unfold half pieces, keep them as drawn, or lay them on the fold of the cloth, where the two layers "
+               "make a pair of every other piece; unfold when absent.");
     v.optional("nap", self.options.nap,
-               "Whether pieces of a pattern may be turned by 180 degrees; one_way when absent.");
+               "Whether pieces of a pattern may be rotated by 180 degrees; one_way when absent.");
     v.optional("tolerance", self.options.tolerance,
-               "How far a flattened curve may lie from the true one, in mm; 0.05 when absent.", {.range = kTolerances});
+               "How far a flattened curve may deviate from the true one, in mm; 0.05 when absent.",
+               {.range = kTolerances});
     v.optional("rules", self.options.rules, "The text of a grade rule table, which makes the sizes of a pattern.");
-    v.optional("order", self.options.order, "The text of an order, in JSON or CSV: the pieces of its bundles are cut.");
+    v.optional("order", self.options.order,
+               "The text of an order, in JSON or CSV; the marker gets the pieces of its bundles.");
     v.optional("plain", self.options.plain, "True: every closed outline of a DXF is a piece.");
   }
 };
@@ -99,7 +101,7 @@ struct OpenFields {
 
   static void describe(auto& v, auto& self) {
     v.required("marker", self.marker,
-               "A native or sparrow document, or the text of a file in any format that is read.");
+               "A native or sparrow document, or the text of a file in any format that can be read.");
     v.optional("spacing", self.spacing, "Overrides the document's spacing.");
     v.optional("overlap", self.overlap, "Overrides the document's overlap allowance.");
     v.part(self.reading);

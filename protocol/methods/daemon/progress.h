@@ -21,8 +21,9 @@ struct Progress {
   static void describe(auto& v, auto& self) {
     v.required("token", self.token, "The call's progressToken.");
     v.required("round", self.round, "The number of the round.");
-    v.required("length", self.length, "The marker's length after it.");
-    v.optional("bound", self.bound, "Only from motion.pack: no marker of these pieces is shorter, which is proved.");
+    v.required("length", self.length, "The marker's length after the round.");
+    v.optional("bound", self.bound,
+               "Only from motion.pack: a proved lower bound on the length of any marker of these pieces.");
     v.optional("nodes", self.nodes, "Only from exact searches: number of nodes searched so far.");
   }
 };

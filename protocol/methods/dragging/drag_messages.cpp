@@ -15,10 +15,10 @@ Result<Vec> within_reach(const calls::Point& to, const Marker& marker) {
                               to_decimal(kLatticeLimit / 2, marker.resolution));
   for (const double coordinate : {to.x, to.y}) {
     if (std::abs(coordinate) <= far) continue;
-    return Error{
-        ErrorCode::kOutOfRange,
-        json::number_text(coordinate) + " is too far out; up to " + json::number_text(far) + " either way is allowed",
-        "/to"};
+    return Error{ErrorCode::kOutOfRange,
+                 json::number_text(coordinate) + " is too far out; up to " + json::number_text(far) +
+                     " in either direction is allowed",
+                 "/to"};
   }
   return Vec{to_lattice(to.x, marker.resolution), to_lattice(to.y, marker.resolution)};
 }

@@ -61,8 +61,7 @@ struct MoveResult {
     v.required("at", self.at, "The new position of the piece's origin.");
     v.required("reached", self.reached, "Whether the piece is at the wanted position.");
     v.required("pushed", self.pushed, "Whether other pieces moved out of the way.");
-    v.required("placements", self.placements,
-               "The placements of all pieces that are not where they were at the beginning.");
+    v.required("placements", self.placements, "The placements of all pieces that have moved since the drag began.");
     v.required("length", self.length, calls::kLengthMeaning);
     v.required("utilisation", self.utilisation, calls::kUtilisationMeaning);
     v.required("valid", self.valid, calls::kValidMeaning);
@@ -77,7 +76,7 @@ struct EndParams {
   static void describe(auto& v, auto& self) {
     v.required("dragId", self.drag_id, BeginResult::kDragIdMeaning);
     v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
-    v.optional("commit", self.commit, "False: leave the marker as it is.");
+    v.optional("commit", self.commit, "False: do not change the marker.");
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
   }
 };
@@ -100,7 +99,7 @@ struct DraggedNotification {
   static void describe(auto& v, auto& self) {
     v.required("markerId", self.marker_id, calls::kMarkerIdMeaning);
     v.required("pieces", self.pieces,
-               "All pieces of the marker that other connections drag now; empty: none any more.");
+               "All pieces of the marker that other connections are dragging now; empty when there are none any more.");
   }
 };
 

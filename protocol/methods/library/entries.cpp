@@ -28,7 +28,7 @@ calls::Method library_remove_method() {
 
 calls::Method library_search_method() {
   return calls::served_method<LibrarySearchParams, LibrarySearchResult>(
-      "library.search", MethodKind::kRead, "Finds the stored markers that are nearest to an open marker.");
+      "library.search", MethodKind::kRead, "Finds the stored markers that are most similar to an open marker.");
 }
 
 }  // namespace selvage::protocol::methods::library

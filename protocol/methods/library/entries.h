@@ -40,8 +40,8 @@ struct LibraryAddParams {
 
   static void describe(auto& v, auto& self) {
     v.required("markerId", self.marker_id,
-               "The open marker to store at its present revision: valid, with all pieces placed.");
-    v.optional("style", self.style, "The style, in up to 200 bytes.", kStyles);
+               "The open marker to store, at its current revision; it must be valid, with all pieces placed.");
+    v.optional("style", self.style, "The style, at most 200 bytes.", kStyles);
   }
 };
 struct LibraryAddResult {
@@ -82,8 +82,8 @@ struct LibraryListParams {
   std::size_t offset{}, most{100};
 
   static void describe(auto& v, auto& self) {
-    v.optional("offset", self.offset, "How many markers are left out before the first.", {.range = {{0, 1e9}}});
-    v.optional("most", self.most, "How many are listed at most, 1 to 1000.", {.range = {{1, kMostListed}}});
+    v.optional("offset", self.offset, "Number of markers to skip.", {.range = {{0, 1e9}}});
+    v.optional("most", self.most, "Maximum number of markers to list, 1 to 1000.", {.range = {{1, kMostListed}}});
   }
 };
 struct LibraryListResult {
@@ -101,13 +101,12 @@ struct LibrarySearchParams {
   std::size_t most{10};
 
   static void describe(auto& v, auto& self) {
-    v.required("markerId", self.marker_id,
-               "The open marker to which others are to be near; its placement does not matter.");
-    v.optional("most", self.most, "How many are returned at most, 1 to 100.", {.range = {{1, kMostFound}}});
+    v.required("markerId", self.marker_id, "The open marker to compare with; how its pieces lie does not matter.");
+    v.optional("most", self.most, "Maximum number of markers to return, 1 to 100.", {.range = {{1, kMostFound}}});
   }
 };
 struct LibraryNear {
-  static constexpr std::string_view kName = "LibraryNear", kMeaning = "A stored marker near an order.";
+  static constexpr std::string_view kName = "LibraryNear", kMeaning = "A stored marker that is similar to an order.";
   LibraryEntry entry;
   double distance{};
 
@@ -119,7 +118,9 @@ struct LibraryNear {
 struct LibrarySearchResult {
   std::vector<LibraryNear> near;
 
-  static void describe(auto& v, auto& self) { v.required("near", self.near, "The markers found, the nearest first."); }
+  static void describe(auto& v, auto& self) {
+    v.required("near", self.near, "The markers found, the most similar first.");
+  }
 };
 
 }  // namespace selvage::protocol::methods::library

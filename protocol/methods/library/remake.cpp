@@ -13,8 +13,8 @@ template <>
 struct Choices<remake::Outcome> {
   static constexpr std::string_view kName = "RemakeOutcome";
   static constexpr std::string_view kMeaning =
-      "What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored "
-      "marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them.";
+      "The outcome of remaking. remade: laid out like a stored marker; nested: nested from nothing, as requested; "
+      "none_near: no stored marker is similar enough; not_apart: no attempt could separate its pieces on the cloth.";
   static constexpr std::string_view kWords[] = {"remade", "nested", "none_near", "not_apart"};
 };
 
@@ -22,10 +22,10 @@ template <>
 struct Choices<remake::StepKind> {
   static constexpr std::string_view kName = "RemakeStep";
   static constexpr std::string_view kMeaning =
-      "A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps "
-      "were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; "
-      "inserted: pieces that no stored one corresponds to were added; rearranged: a short search has found a shorter "
-      "marker; trims_moved: small pieces went into gaps; refined: as by accuracy fine.";
+      "A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were "
+      "removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; "
+      "inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter "
+      "marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine.";
   static constexpr std::string_view kWords[] = {"substituted", "separated",  "popped",      "searched", "compacted",
                                                 "inserted",    "rearranged", "trims_moved", "refined"};
 };
@@ -48,20 +48,19 @@ struct RemakeParams {
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
-    v.optional(
-        "stored", self.stored,
-        "The stored markers to choose from: native or sparrow documents, of which the nearest are tried; those of "
-        "the library when absent.",
-        {.entries = {{1, kMostStored}}, .entries_are = "markers"});
-    v.optional("tries", self.tries, "How many arrangements are tried at most, 1 to 64; the shortest result counts.",
+    v.optional("stored", self.stored,
+               "The stored markers to choose from, as native or sparrow documents; the most similar ones are tried. "
+               "Those of the library when absent.",
+               {.entries = {{1, kMostStored}}, .entries_are = "markers"});
+    v.optional("tries", self.tries, "Maximum number of arrangements to try, 1 to 64; the shortest result is used.",
                {.range = {{1, kMostTries}}});
-    v.optional("single", self.single, "True: one stored marker at a time, never two, one behind the other.");
+    v.optional("single", self.single, "True: use only one stored marker at a time; never put two of them end to end.");
     v.optional("thorough", self.thorough,
-               "True: all tries are made and each is searched on for a shorter marker. False: when the first uses the "
-               "cloth within a point as well as the stored marker, it is the answer; else the best of them is searched "
-               "on.");
+               "True: make all tries, and search for a shorter marker in each. False: take the first result whose "
+               "utilisation is at most one point below that of the stored marker; if there is none, search for a "
+               "shorter marker in the best result only.");
     v.optional("keepTrims", self.keep_trims,
-               "True: the search for a shorter marker does not end with moving small pieces into gaps.");
+               "True: after the search for a shorter marker, do not move small pieces into gaps.");
     v.optional("fine", self.fine, "Whether the result is refined by the search of accuracy fine.");
     v.optional("nest", self.nest, "Whether the order is nested from nothing when no attempt gives a marker.");
     v.optional("nestMoves", self.nest_moves, "The budget of nesting from nothing, in moves of a piece.",
@@ -79,24 +78,26 @@ struct RemakeStepResult {
   static void describe(auto& v, auto& self) {
     v.required("step", self.step, "What was done.");
     v.required("pieces", self.pieces,
-               "How many pieces it concerned: swapped to relieve columns, popped, inserted, or trials kept.");
+               "Number of pieces swapped to relieve columns, popped or inserted, or number of trials kept.");
     v.required("length", self.length, calls::kLengthMeaning);
-    v.required("utilisation", self.utilisation, "The utilisation of the pieces that lie there, 0 to 1.");
+    v.required("utilisation", self.utilisation,
+               "The utilisation of the pieces that are placed after the step, 0 to 1.");
     v.required("valid", self.valid, calls::kValidMeaning);
   }
 };
 
 struct RemakeAttempt {
-  static constexpr std::string_view kName = "RemakeAttempt", kMeaning = "One arrangement that was taken over.";
+  static constexpr std::string_view kName = "RemakeAttempt", kMeaning = "An attempt to use one arrangement.";
   std::vector<std::size_t> stored;
   double difference{}, predicted{};
   bool made{};
   std::vector<RemakeStepResult> steps;
 
   static void describe(auto& v, auto& self) {
-    v.required("stored", self.stored,
-               "The places of the markers in `stored`, or among the nearest of the library, from left to right.");
-    v.required("difference", self.difference, "How much the pieces differ, as a part of the order's area.");
+    v.required(
+        "stored", self.stored,
+        "The positions of the markers in `stored`, or among the most similar ones of the library, from left to right.");
+    v.required("difference", self.difference, "How much the pieces differ, as a fraction of the order's area.");
     v.required("predicted", self.predicted, "The utilisation that was expected, 0 to 1.");
     v.required("made", self.made, "Whether it gave a valid marker with all pieces.");
     v.required("steps", self.steps, "What was done, in order.");
@@ -111,9 +112,8 @@ struct RemakeResult {
   calls::RoundsResult rounds;
 
   static void describe(auto& v, auto& self) {
-    v.required("outcome", self.outcome,
-               "The outcome. Unless the order was remade or nested, the marker stays as it is.");
-    v.required("candidates", self.candidates, "Number of arrangements that were near enough.");
+    v.required("outcome", self.outcome, "The outcome. The marker changes only if the order was remade or nested.");
+    v.required("candidates", self.candidates, "Number of arrangements that were similar enough.");
     v.optional("chosen", self.chosen, "The attempt that the result is from.");
     v.required("attempts", self.attempts, "The attempts, the best prediction first.");
     v.part(self.rounds);

@@ -23,7 +23,7 @@ struct NestParams {
     v.part(self.call);
     v.part(self.effort);
     v.optional("searches", self.searches,
-               "Number of independent searches, 1 to 64, of which the best counts; they run in parallel.",
+               "Number of independent searches, 1 to 64, which run in parallel; the best result is used.",
                {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,
                "True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again.");
@@ -42,8 +42,8 @@ struct NestResult {
 
   static void describe(auto& v, auto& self) {
     v.required("placed", self.placed, "Number of pieces that lie on the cloth afterwards.");
-    v.required("unplaced", self.unplaced, "Number of pieces that do not, because the cloth ends before them.");
-    v.required("moves", self.moves, "Moves of a piece that all searches have made.");
+    v.required("unplaced", self.unplaced, "Number of pieces for which there was no room on the cloth.");
+    v.required("moves", self.moves, "Total number of moves of a piece in all searches.");
     v.part(self.rounds);
   }
 };
@@ -67,7 +67,7 @@ Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker
 Result<calls::Motion<NestResult>> run_nest(const NestParams& params, const Marker& start,
                                            const calls::MethodContext& context) {
   if (params.keep_placed && params.from_scratch) {
-    return Error{ErrorCode::kOutOfRange, "fromScratch is true, and keepPlaced, too; at most one of them may be true",
+    return Error{ErrorCode::kOutOfRange, "fromScratch and keepPlaced are both true; at most one of them may be true",
                  "/fromScratch"};
   }
   const auto settings = settings_of(params, start);

@@ -55,7 +55,7 @@ Result<std::map<std::string, double, std::less<>>> values_of(const std::optional
   for (const PieceValue& value : *values) {
     if (!ids.contains(value.piece.text)) {
       return Error{ErrorCode::kOutOfRange,
-                   json::shortened(Json(value.piece.text)) + " is no piece of this marker; the id of one of its " +
+                   json::shortened(Json(value.piece.text)) + " is not a piece of this marker; the id of one of its " +
                        std::to_string(ids.size()) + " pieces is allowed",
                    "/values/" + std::to_string(by_id.size()) + "/piece"};
     }

@@ -35,7 +35,7 @@ struct Wire<methods::motions::SheetOutline> {
   }
   static methods::motions::SheetOutline read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
     if (value.is_array()) return {formats::read_points(value, at, mistake)};
-    mistake.add(ErrorCode::kWrongType, "is no list; a list of corners [x, y] is allowed", at);
+    mistake.add(ErrorCode::kWrongType, "is not a list; a list of corners [x, y] is allowed", at);
     return {};
   }
 };
@@ -50,7 +50,7 @@ constexpr double kMostOfOneKind = 1'000;
 
 struct SheetParams {
   static constexpr std::string_view kName = "Sheet";
-  static constexpr std::string_view kMeaning = "Sheets of one size and form: a rectangle, or what an outline encloses.";
+  static constexpr std::string_view kMeaning = "Sheets of one size and form: a rectangle, or the inside of an outline.";
   std::optional<double> width, length;
   std::optional<SheetOutline> outline;
   std::optional<std::vector<SheetOutline>> holes;
@@ -98,8 +98,8 @@ struct NestedSheet {
     v.required("pieces", self.pieces, "Number of pieces on it.");
     v.required("utilisation", self.utilisation, "The pieces' area divided by that of the sheet, 0 to 1.");
     v.required("marker", self.marker,
-               "A native document: the strip is the sheet or, with an outline, its bounding box, from whose low corner "
-               "positions are measured.");
+               "A native document: the strip is the sheet or, with an outline, its bounding box; positions are "
+               "measured from its lower left corner.");
   }
 };
 
@@ -112,7 +112,7 @@ struct NestSheetsResult {
   static void describe(auto& v, auto& self) {
     v.required("sheets", self.sheets, "The sheets that are used.");
     v.required("leftOver", self.left_over, "Ids of the pieces for which there is no room.");
-    v.required("moves", self.moves, "Moves of a piece that the search has made.");
+    v.required("moves", self.moves, "Number of moves of a piece in the search.");
     v.required("stop", self.stop, calls::kStopMeaning);
   }
 };
@@ -126,7 +126,7 @@ Result<Polygon> polygon_of(const SheetOutline& outline, Resolution resolution, c
   }
   auto clean = geometry::clean_polygon(corners);
   if (clean) return std::move(clean->polygon);
-  return Error{ErrorCode::kOutOfRange, "is no simple polygon: " + clean.error().message, field};
+  return Error{ErrorCode::kOutOfRange, "is not a simple polygon: " + clean.error().message, field};
 }
 
 Result<nesting::sheets::Sheet> sheet_of(const SheetParams& params, Resolution resolution, const std::string& field) {
@@ -139,7 +139,8 @@ Result<nesting::sheets::Sheet> sheet_of(const SheetParams& params, Resolution re
   nesting::sheets::Sheet sheet;
   if (params.outline) {
     if (params.width || params.length) {
-      return Error{ErrorCode::kOutOfRange, "is given beside a width or a length; either one or the other is allowed",
+      return Error{ErrorCode::kOutOfRange,
+                   "is given together with a width or a length; a sheet has either an outline or both of these",
                    field + "/outline"};
     }
     auto outline = polygon_of(*params.outline, resolution, field + "/outline");

@@ -28,7 +28,7 @@ struct OpenGapParams {
                "region.");
     v.check([](const json::Fields& fields, json::Mistake& mistake) {
       if (fields.has("region") && fields.has("point")) {
-        mistake.add(ErrorCode::kUnknownField, "a point and a region are one too many; either is allowed",
+        mistake.add(ErrorCode::kUnknownField, "a point and a region are both given; one of them is required",
                     fields.pointer("point"));
       } else if (!fields.has("region") && !fields.has("point")) {
         mistake.add(ErrorCode::kMissingField, "the field is missing; it is required", fields.pointer("point"));

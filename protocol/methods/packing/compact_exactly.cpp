@@ -25,7 +25,7 @@ struct ExactCompactionParams {
     v.optional("nodes", self.nodes, "The largest number of nodes of the search in a window.",
                {.range = {{1, kMostNodes}}});
     v.optional("windows", self.windows,
-               "How many windows are searched at most; 1,000 when absent, without limit with a deadline.",
+               "Maximum number of windows to search; 1,000 when absent, without limit with a deadline.",
                {.range = {{0, kMostWindows}}});
     v.optional("among", self.among,
                "Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched.",
@@ -78,9 +78,10 @@ Result<calls::Motion<ExactCompactionResult>> run_compact_exactly(const ExactComp
 }  // namespace
 
 calls::Method compact_exactly_method() {
-  return calls::motion_method("marker.compactExactly", calls::MethodKind::kMotion,
-                              "Shortens the marker by placing the pieces of one stretch after another anew, exactly.",
-                              run_compact_exactly);
+  return calls::motion_method(
+      "marker.compactExactly", calls::MethodKind::kMotion,
+      "Shortens the marker by an exact search for new places of the pieces in one stretch after another.",
+      run_compact_exactly);
 }
 
 }  // namespace selvage::protocol::methods::packing

@@ -18,8 +18,8 @@ template <>
 struct Choices<selvage::packing::Verdict> {
   static constexpr std::string_view kName = "Verdict";
   static constexpr std::string_view kMeaning =
-      "What a search for room came to: found, impossible (proved), or undecided because it ended early or the fit is "
-      "as tight as rounding.";
+      "The outcome of a search for room: found, impossible (proved), or undecided, because it ended early or the fit "
+      "is too tight to decide after rounding.";
   static constexpr std::string_view kWords[] = {"found", "impossible", "undecided"};
 };
 
@@ -27,7 +27,8 @@ template <>
 struct Choices<methods::packing::BestContainment> {
   static constexpr std::string_view kName = "BestContainment";
   static constexpr std::string_view kMeaning =
-      "Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room.";
+      "Which layout motion.contain returns: the first that it finds, or the one in which the pieces have the most "
+      "room.";
   static constexpr std::string_view kWords[] = {"first", "room"};
 };
 
@@ -65,12 +66,12 @@ struct ContainResult {
   calls::RoundsResult rounds;
 
   static void describe(auto& v, auto& self) {
-    v.required("verdict", self.verdict, "Whether the pieces fit; unless they are found to, the marker stays as it is.");
+    v.required("verdict", self.verdict, "Whether the pieces fit. The marker changes only if a layout was found.");
     v.optional("clearance", self.clearance,
                "With best room, when they fit: the distance that the pieces keep beyond their spacing from each other, "
                "from all others and from the border of the room.");
     v.optional("clearanceBound", self.clearance_bound,
-               "With best room: no layout has so large a clearance; absent when that is not proved of any.");
+               "With best room: a proved upper bound on the clearance in any layout; absent when there is none.");
     v.required("nodes", self.nodes, "Number of nodes searched.");
     v.part(self.rounds);
   }
@@ -91,7 +92,7 @@ Result<selvage::packing::Container> container_of(const std::vector<Corner>& room
   }
   const auto clean = geometry::clean_polygon(corners);
   if (clean) return selvage::packing::Container{clean->polygon};
-  return Error{ErrorCode::kOutOfRange, "is no simple polygon: " + clean.error().message, "/room"};
+  return Error{ErrorCode::kOutOfRange, "is not a simple polygon: " + clean.error().message, "/room"};
 }
 
 // What is found, with the clearances where they are asked for.

@@ -24,7 +24,7 @@ struct FillParams {
         "trials", self.trials,
         "How many times small pieces are taken out and put back; 200 when absent, without limit with a deadline.",
         {.range = {{0, kMostTrials}}});
-    v.optional("pieces", self.pieces, "How many pieces are taken out at most in a trial, 1 to 12.",
+    v.optional("pieces", self.pieces, "Maximum number of pieces taken out in a trial, 1 to 12.",
                {.range = {{1, kMostTaken}}});
     v.optional("nodes", self.nodes, "The largest number of nodes of every search for room.",
                {.range = {{1, kMostNodes}}});

@@ -38,7 +38,8 @@ struct PackResult {
     v.required("found", self.found, "Whether there is a layout of all pieces; if not, the marker stays as it is.");
     v.required("proved", self.proved,
                "Whether it is proved that no layout is shorter, up to the gap, or that there is none.");
-    v.required("bound", self.bound, "No marker of these pieces is shorter: proved at any time.");
+    v.required("bound", self.bound,
+               "A proved lower bound on the length of any marker of these pieces, even if the search ended early.");
     v.required("placed", self.placed, "Number of pieces that lie on the cloth afterwards.");
     v.required("unplaced", self.unplaced, "Number of pieces that do not.");
     v.required("nodes", self.nodes, "Number of nodes searched.");

@@ -43,7 +43,7 @@ Result<std::vector<PieceId>> chosen_pieces(const Marker& marker, const std::opti
     const auto piece = placed_or_unplaced(marker, id.text);
     if (!piece) {
       return Error{ErrorCode::kOutOfRange,
-                   json::shortened(Json(id.text)) + " is no piece of this marker; the id of one of its " +
+                   json::shortened(Json(id.text)) + " is not a piece of this marker; the id of one of its " +
                        std::to_string(marker.pieces.size()) + " placed and " + std::to_string(marker.unplaced.size()) +
                        " unplaced pieces is allowed",
                    "/pieces/" + std::to_string(pieces.size())};

@@ -16,7 +16,7 @@ struct ShadeFault {
     v.required("shade", self.shade, "The name of the shade.");
     v.required("leftmost", self.leftmost, "The id of its leftmost piece.");
     v.required("rightmost", self.rightmost, "The id of its rightmost piece.");
-    v.required("by", self.by, "By how much more of the length they take than they may.");
+    v.required("by", self.by, "By how much they exceed the allowed length.");
   }
 };
 
@@ -45,7 +45,7 @@ struct CheckResult {
     v.required("valid", self.valid, calls::kValidMeaning);
     v.required("overlaps", self.overlaps, "Pairs that overlap or are too close.");
     v.required("protrusions", self.protrusions,
-               "Pieces that extend beyond the strip, or out of the room that their rules leave.");
+               "Pieces that extend beyond the strip, or beyond the room that their rules allow.");
     v.optional("shades", self.shades, "Shades whose pieces are too far from each other; absent when there are none.");
     v.optional("matches", self.matches,
                "Pieces that are out of phase with their match sets; absent when there are none.");

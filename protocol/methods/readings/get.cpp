@@ -17,8 +17,9 @@ struct GetResult {
   static void describe(auto& v, auto& self) {
     v.optional("format", self.format, "The format of the document.");
     v.optional("marker", self.marker,
-               "The document; a string for formats that are text. Absent when the answer is by since.");
-    v.optional("since", self.since, "The revision asked from.");
+               "The document; a string for formats that are text. Absent when only the changes since a revision are "
+               "returned.");
+    v.optional("since", self.since, "The revision that was given as since.");
     v.optional("placements", self.placements, "The pieces that changed after it.");
   }
 };

@@ -61,7 +61,7 @@ struct RulePrice {
     v.optional("piece", self.piece,
                "The id of the piece whose rule it is; absent for the strip's selvedges and shades.");
     v.optional("shade", self.shade, "The name of the shade, when the rule is a shade.");
-    v.required("worth", self.worth, "How much shorter the marker would become per unit by which the rule gives way.");
+    v.required("worth", self.worth, "How much shorter the marker would become per unit by which the rule is relaxed.");
   }
 };
 
@@ -80,7 +80,7 @@ struct HoldResult {
     v.required("perSpacing", self.per_spacing,
                "How much the marker would shorten per unit less spacing or more overlap allowance.");
     v.optional("locks", self.locks, "The locks that carry load; absent when there are none.");
-    v.optional("rules", self.rules, "The rules that carry load, the dearest first; absent when there are none.");
+    v.optional("rules", self.rules, "The rules that carry load, the costliest first; absent when there are none.");
   }
 };
 

@@ -16,7 +16,7 @@ double coordinate(const Tag& tag, json::Mistake& mistake) {
   if (value && std::abs(*value) <= kFarthestCoordinate) return *value;
   if (value) {
     mistake.add(error_at(tag.line, ErrorCode::kOutOfRange,
-                         json::number_text(*value) + " is too far out; 1e8 either way is allowed"));
+                         json::number_text(*value) + " is too far out; 1e8 in either direction is allowed"));
     return 0;
   }
   mistake.add(ErrorCode::kSyntax,

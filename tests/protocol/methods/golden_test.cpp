@@ -74,7 +74,7 @@ void expect_alike(const Json& expected, const Json& actual) {
 
 // Only the marker shows that a piece is not one of its own.
 bool names_a_stranger(const Json& response) {
-  return response["error"]["message"].get<std::string>().find("is no piece of this marker") != std::string::npos;
+  return response["error"]["message"].get<std::string>().find("is not a piece of this marker") != std::string::npos;
 }
 
 void replay(const Json& exchange) {

@@ -48,7 +48,7 @@ export interface DragMethods {
       reached: boolean;
       /** Whether other pieces moved out of the way. */
       pushed: boolean;
-      /** The placements of all pieces that are not where they were at the beginning. */
+      /** The placements of all pieces that have moved since the drag began. */
       placements: Array<Placement>;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -65,7 +65,7 @@ export interface DragMethods {
       dragId: string;
       /** The marker's id. */
       markerId: string;
-      /** False: leave the marker as it is. */
+      /** False: do not change the marker. */
       commit?: boolean;
       /** A name for this call: a retry of it gets the same result. */
       opId?: string;
@@ -75,7 +75,7 @@ export interface DragMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** The pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or locks changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;

@@ -50,7 +50,7 @@ export type FlipEdit = {
   op: "flip";
   /** The piece's id. */
   piece: Id;
-  /** Whether the piece is mirrored afterwards; absent: toggles. */
+  /** Whether the piece is mirrored afterwards; toggled when absent. */
   flip?: boolean;
 };
 
@@ -60,7 +60,7 @@ export type GroupEdit = {
   op: "group";
   /** The piece's id. */
   piece: Id;
-  /** The group; absent: removes the piece from its group. */
+  /** The group; when absent, the piece is removed from its group. */
   group?: Id;
 };
 
@@ -70,11 +70,11 @@ export type LockEdit = {
   op: "lock";
   /** The piece's id. */
   piece: Id;
-  /** What is locked; absent: the whole piece. */
+  /** Which movements are locked; the whole piece when absent. */
   locked?: Locks;
 };
 
-/** Moves a piece to a position or by a distance: at or by is required. */
+/** Moves a piece to a position (at) or by a distance (by); one of these is required. */
 export type MoveEdit = {
   /** The operation. */
   op: "move";
@@ -92,7 +92,7 @@ export type OverlapEdit = {
   op: "overlap";
   /** The piece's id. */
   piece: Id;
-  /** A length; absent: the marker's allowance holds for the piece. */
+  /** A length; when absent, the marker's allowance applies to the piece. */
   overlap?: number;
 };
 
@@ -104,9 +104,9 @@ export type PlaceEdit = {
   piece: Id;
   /** The position of its origin. */
   at: Point;
-  /** A rotation that the shape allows; absent: as it is. */
+  /** A rotation that the shape allows; unchanged when absent. */
   rotation?: number;
-  /** Whether it is mirrored; absent: as it is. */
+  /** Whether it is mirrored; unchanged when absent. */
   flip?: boolean;
 };
 
@@ -136,7 +136,7 @@ export type RulesEdit = {
   op: "rules";
   /** The piece's id. */
   piece: Id;
-  /** All of its rules; absent: it has none. */
+  /** The complete rules of the piece; it has none when absent. */
   rules?: PieceRules;
 };
 
@@ -144,7 +144,7 @@ export type RulesEdit = {
 export type ShadeEdit = {
   /** The operation. */
   op: "setShade";
-  /** A length; null: shades have no effect. */
+  /** A length; null if shades have no effect. */
   shade: number | null;
 };
 
@@ -162,15 +162,15 @@ export type StripEdit = {
   op: "setStrip";
   /** The width of the strip. */
   width?: number;
-  /** The x coordinate where the cloth ends; null: it has no end. */
+  /** The x coordinate where the cloth ends; null for cloth without end. */
   longest?: number | null;
   /** The distance that pieces keep from the strip's edges. */
   margin?: number;
-  /** The distance from the lower edge; null: the margin. */
+  /** The distance from the lower edge; null for the margin. */
   below?: number | null;
-  /** The distance from the upper edge; null: the margin. */
+  /** The distance from the upper edge; null for the margin. */
   above?: number | null;
-  /** The pattern of the cloth; {}: it has none. */
+  /** The pattern of the cloth; {} for none. */
   repeat?: ClothRepeat;
   /** Whether the cloth is a tube, whose upper edge is a fold, too. */
   tube?: boolean;
@@ -184,7 +184,7 @@ export type TakeOffEdit = {
   piece: Id;
 };
 
-/** Tilts a piece within its shape's tilt limit: to or by is required. */
+/** Tilts a piece within its shape's tilt limit; to or by is required. */
 export type TiltEdit = {
   /** The operation. */
   op: "tilt";

@@ -79,7 +79,7 @@ export interface EngineMethods {
       methods: Array<Record<string, unknown>>;
       /** The types that the methods use. */
       components: Record<string, unknown>;
-      /** What the daemon sends without being asked. */
+      /** The notifications that the daemon sends. */
       "x-notifications": Array<Record<string, unknown>>;
     };
   };
@@ -90,7 +90,7 @@ export interface EngineMethods {
       id: number | string | null;
     };
     result: {
-      /** Whether the request came in time. */
+      /** Whether the request arrived in time. */
       cancelled: boolean;
     };
   };

@@ -24,7 +24,7 @@ export type LibraryEntry = {
   utilisation: number;
 };
 
-/** A stored marker near an order. */
+/** A stored marker that is similar to an order. */
 export type LibraryNear = {
   /** The stored marker's id, such as s7. */
   id: string;
@@ -52,9 +52,9 @@ export interface LibraryMethods {
   /** Stores an open marker in the library. */
   "library.add": {
     params: {
-      /** The open marker to store at its present revision: valid, with all pieces placed. */
+      /** The open marker to store, at its current revision; it must be valid, with all pieces placed. */
       markerId: string;
-      /** The style, in up to 200 bytes. */
+      /** The style, at most 200 bytes. */
       style?: string;
     };
     result: {
@@ -112,9 +112,9 @@ export interface LibraryMethods {
   /** Lists the stored markers. */
   "library.list": {
     params: {
-      /** How many markers are left out before the first. */
+      /** Number of markers to skip. */
       offset?: number;
-      /** How many are listed at most, 1 to 1000. */
+      /** Maximum number of markers to list, 1 to 1000. */
       most?: number;
     };
     result: {
@@ -137,16 +137,16 @@ export interface LibraryMethods {
       removed: boolean;
     };
   };
-  /** Finds the stored markers that are nearest to an open marker. */
+  /** Finds the stored markers that are most similar to an open marker. */
   "library.search": {
     params: {
-      /** The open marker to which others are to be near; its placement does not matter. */
+      /** The open marker to compare with; how its pieces lie does not matter. */
       markerId: string;
-      /** How many are returned at most, 1 to 100. */
+      /** Maximum number of markers to return, 1 to 100. */
       most?: number;
     };
     result: {
-      /** The markers found, the nearest first. */
+      /** The markers found, the most similar first. */
       near: Array<LibraryNear>;
     };
   };

@@ -4,11 +4,11 @@ import type { Edit } from "./edits.js";
 import type { Id, PieceRules, PieceState, Point } from "./shared.js";
 import type { MarkerDocument } from "./documents.js";
 
-/** How much larger than its outline the block of a shape is cut. */
+/** How much larger than its outline a shape is cut at first. */
 export type BlocksOfShape = {
   /** The id of the shape; absent: every shape. */
   shape?: string;
-  /** Towards smaller x of the shape. */
+  /** Towards smaller x, in the coordinates of the shape. */
   left?: number;
   /** Towards larger x. */
   right?: number;
@@ -21,7 +21,7 @@ export type BlocksOfShape = {
 /** How pieces lie on cloth with a nap: all up, all down, or one bundle up and the next one down. */
 export type ClothNap = "up" | "down" | "up_and_down";
 
-/** A rectangle of the cloth that no piece may cover, or only some. */
+/** A rectangle of the cloth that no piece may cover, or only pieces that accept its quality. */
 export type ClothZone = {
   /** Its lower left corner. */
   from: Point;
@@ -31,13 +31,13 @@ export type ClothZone = {
   quality?: number;
 };
 
-/** What becomes of a half piece that is drawn up to its mirror line. */
+/** What happens to a half piece that is drawn up to its mirror line. */
 export type FoldRule = "unfold" | "keep" | "lay";
 
 /** A unit of length. */
 export type LengthUnit = "mm" | "cm" | "m" | "in" | "ft" | "yd";
 
-/** Whether pieces may also lie turned by 180 degrees. */
+/** Whether pieces may also be rotated by 180 degrees. */
 export type Nap = "one_way" | "either_way";
 
 /** A repair made while reading. */
@@ -52,9 +52,9 @@ export type Note = {
 export type RulesOfPieces = {
   /** The id of the piece. */
   piece?: string;
-  /** Or the id of the shape. */
+  /** The id of the shape, instead of a piece. */
   shape?: string;
-  /** All rules that they have. */
+  /** The complete rules, which replace all earlier ones. */
   rules: PieceRules;
 };
 
@@ -62,7 +62,7 @@ export interface MarkerMethods {
   /** Opens a marker from a document. */
   "marker.open": {
     params: {
-      /** A native or sparrow document, or the text of a file in any format that is read. */
+      /** A native or sparrow document, or the text of a file in any format that can be read. */
       marker: MarkerDocument | Record<string, unknown> | string;
       /** Overrides the document's spacing. */
       spacing?: number;
@@ -74,15 +74,15 @@ export interface MarkerMethods {
       width?: number;
       /** The sizes of a graded pattern that are read; all when absent. */
       sizes?: Array<Id>;
-      /** Unfold half pieces, keep them as drawn, or lay them on the fold of the cloth, whose two layers make a pair of every other piece; unfold when absent. */
+      /** Unfold half pieces, keep them as drawn, or lay them on the fold of the cloth, where the two layers make a pair of every other piece; unfold when absent. */
       fold?: FoldRule;
-      /** Whether pieces of a pattern may be turned by 180 degrees; one_way when absent. */
+      /** Whether pieces of a pattern may be rotated by 180 degrees; one_way when absent. */
       nap?: Nap;
-      /** How far a flattened curve may lie from the true one, in mm; 0.05 when absent. */
+      /** How far a flattened curve may deviate from the true one, in mm; 0.05 when absent. */
       tolerance?: number;
       /** The text of a grade rule table, which makes the sizes of a pattern. */
       rules?: string;
-      /** The text of an order, in JSON or CSV: the pieces of its bundles are cut. */
+      /** The text of an order, in JSON or CSV; the marker gets the pieces of its bundles. */
       order?: string;
       /** True: every closed outline of a DXF is a piece. */
       plain?: boolean;
@@ -92,15 +92,15 @@ export interface MarkerMethods {
       marginBelow?: number;
       /** Distance from the upper edge, in place of the margin. */
       marginAbove?: number;
-      /** Length of the pattern's repeat in x; 0: there is none. */
+      /** Length of the pattern's repeat in x; 0 for none. */
       repeatAlong?: number;
-      /** Length of the pattern's repeat in y; 0: there is none. */
+      /** Length of the pattern's repeat in y; 0 for none. */
       repeatAcross?: number;
       /** A point at which a repeat begins. */
       repeatPhase?: Point;
-      /** Length within which the pieces of a shade lie; pieces without one belong to that of their bundle. */
+      /** Length along the strip within which the pieces of a shade must lie; pieces without a shade belong to that of their bundle. */
       shade?: number;
-      /** How all pieces lie on cloth with a nap; up_and_down: every second bundle lies down. */
+      /** How all pieces lie on cloth with a nap; with up_and_down, every second bundle lies down. */
       napDirection?: ClothNap;
       /** True: the cloth is a tube, whose upper edge is a fold like the lower one. */
       tube?: boolean;
@@ -164,7 +164,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** The pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or locks changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
@@ -199,7 +199,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** The pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or locks changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;
@@ -232,7 +232,7 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** The pieces that are new, or whose placement or lock changed. */
+      /** The pieces that are new, or whose placement or locks changed. */
       placements: Array<PieceState>;
       /** Ids of the pieces that were removed. */
       removed: Array<string>;

@@ -2,7 +2,7 @@
 
 import type { Accuracy, Id, MotionParams, MotionResult, Overlap, Point, Region, StripEdge } from "./shared.js";
 
-/** Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room. */
+/** Which layout motion.contain returns: the first that it finds, or the one in which the pieces have the most room. */
 export type BestContainment = "first" | "room";
 
 /** Gaps that determine a minimum. */
@@ -57,7 +57,7 @@ export type TargetRule = "nearest" | "kernel_ray";
 /** Whether pieces tilt all at once or one after another. */
 export type TiltMethod = "linearisation" | "relaxation";
 
-/** What a search for room came to: found, impossible (proved), or undecided because it ended early or the fit is as tight as rounding. */
+/** The outcome of a search for room: found, impossible (proved), or undecided, because it ended early or the fit is too tight to decide after rounding. */
 export type Verdict = "found" | "impossible" | "undecided";
 
 export interface MotionMethods {
@@ -76,7 +76,7 @@ export interface MotionMethods {
       found: boolean;
       /** Whether it is proved that no layout is shorter, up to the gap, or that there is none. */
       proved: boolean;
-      /** No marker of these pieces is shorter: proved at any time. */
+      /** A proved lower bound on the length of any marker of these pieces, even if the search ended early. */
       bound: number;
       /** Number of pieces that lie on the cloth afterwards. */
       placed: number;
@@ -103,11 +103,11 @@ export interface MotionMethods {
       turns?: boolean;
     };
     result: MotionResult & {
-      /** Whether the pieces fit; unless they are found to, the marker stays as it is. */
+      /** Whether the pieces fit. The marker changes only if a layout was found. */
       verdict: Verdict;
       /** With best room, when they fit: the distance that the pieces keep beyond their spacing from each other, from all others and from the border of the room. */
       clearance?: number;
-      /** With best room: no layout has so large a clearance; absent when that is not proved of any. */
+      /** With best room: a proved upper bound on the clearance in any layout; absent when there is none. */
       clearanceBound?: number;
       /** Number of nodes searched. */
       nodes: number;
@@ -219,7 +219,7 @@ export interface MotionMethods {
     result: MotionResult & {
       /** Where the sides lie: an x for left and right, a y for bottom and top. */
       line: number;
-      /** How many of the pieces lie on the line; others are in the way of the rest. */
+      /** How many of the pieces lie on the line; the rest are blocked by other pieces. */
       aligned: number;
     };
   };
@@ -337,7 +337,7 @@ export interface MotionMethods {
       rounds: number;
     };
   };
-  /** Moves one piece to where it has most room. */
+  /** Moves one piece to where it has the most room. */
   "motion.relax": {
     params: MotionParams & {
       /** The piece's id. */

@@ -20,7 +20,7 @@ export interface Notifications {
     revision: number;
     /** The method that changed it. */
     by: string;
-    /** The pieces that are new, or whose placement or lock changed. */
+    /** The pieces that are new, or whose placement or locks changed. */
     placements: Array<PieceState>;
     /** Ids of the pieces that were removed. */
     removed: Array<string>;
@@ -46,7 +46,7 @@ export interface Notifications {
   "marker.dragged": {
     /** The marker's id. */
     markerId: string;
-    /** All pieces of the marker that other connections drag now; empty: none any more. */
+    /** All pieces of the marker that other connections are dragging now; empty when there are none any more. */
     pieces: Array<DraggedPiece>;
   };
   /** A round of a motion is done. */
@@ -55,9 +55,9 @@ export interface Notifications {
     token: ProgressToken;
     /** The number of the round. */
     round: number;
-    /** The marker's length after it. */
+    /** The marker's length after the round. */
     length: number;
-    /** Only from motion.pack: no marker of these pieces is shorter, which is proved. */
+    /** Only from motion.pack: a proved lower bound on the length of any marker of these pieces. */
     bound?: number;
     /** Only from exact searches: number of nodes searched so far. */
     nodes?: number;

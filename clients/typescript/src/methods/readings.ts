@@ -68,7 +68,7 @@ export type NestedSheet = {
   pieces: number;
   /** The pieces' area divided by that of the sheet, 0 to 1. */
   utilisation: number;
-  /** A native document: the strip is the sheet or, with an outline, its bounding box, from whose low corner positions are measured. */
+  /** A native document: the strip is the sheet or, with an outline, its bounding box; positions are measured from its lower left corner. */
   marker: MarkerDocument;
 };
 
@@ -88,7 +88,7 @@ export type RulePrice = {
   piece?: string;
   /** The name of the shade, when the rule is a shade. */
   shade?: string;
-  /** How much shorter the marker would become per unit by which the rule gives way. */
+  /** How much shorter the marker would become per unit by which the rule is relaxed. */
   worth: number;
 };
 
@@ -100,11 +100,11 @@ export type ShadeFault = {
   leftmost: string;
   /** The id of its rightmost piece. */
   rightmost: string;
-  /** By how much more of the length they take than they may. */
+  /** By how much they exceed the allowed length. */
   by: number;
 };
 
-/** Sheets of one size and form: a rectangle, or what an outline encloses. */
+/** Sheets of one size and form: a rectangle, or the inside of an outline. */
 export type Sheet = {
   /** The width of a rectangle, across the grain, in the marker's unit. */
   width?: number;
@@ -152,9 +152,9 @@ export interface ReadingMethods {
       revision: number;
       /** The format of the document. */
       format?: Format;
-      /** The document; a string for formats that are text. Absent when the answer is by since. */
+      /** The document; a string for formats that are text. Absent when only the changes since a revision are returned. */
       marker?: MarkerDocument | Record<string, unknown> | string;
-      /** The revision asked from. */
+      /** The revision that was given as since. */
       since?: number;
       /** The pieces that changed after it. */
       placements?: Array<PieceState>;
@@ -207,7 +207,7 @@ export interface ReadingMethods {
       valid: boolean;
       /** Pairs that overlap or are too close. */
       overlaps: Array<Overlap>;
-      /** Pieces that extend beyond the strip, or out of the room that their rules leave. */
+      /** Pieces that extend beyond the strip, or beyond the room that their rules allow. */
       protrusions: Array<Protrusion>;
       /** Shades whose pieces are too far from each other; absent when there are none. */
       shades?: Array<ShadeFault>;
@@ -238,7 +238,7 @@ export interface ReadingMethods {
       perSpacing: number;
       /** The locks that carry load; absent when there are none. */
       locks?: Array<LockPrice>;
-      /** The rules that carry load, the dearest first; absent when there are none. */
+      /** The rules that carry load, the costliest first; absent when there are none. */
       rules?: Array<RulePrice>;
     };
   };
@@ -292,7 +292,7 @@ export interface ReadingMethods {
       sheets: Array<NestedSheet>;
       /** Ids of the pieces for which there is no room. */
       leftOver: Array<string>;
-      /** Moves of a piece that the search has made. */
+      /** Number of moves of a piece in the search. */
       moves: number;
       /** Why the motion ended. */
       stop: StopReason;

@@ -3,11 +3,11 @@
 import type { Accuracy, Id, MotionParams, MotionResult, PieceValue } from "./shared.js";
 import type { MarkerDocument } from "./documents.js";
 
-/** One arrangement that was taken over. */
+/** An attempt to use one arrangement. */
 export type RemakeAttempt = {
-  /** The places of the markers in `stored`, or among the nearest of the library, from left to right. */
+  /** The positions of the markers in `stored`, or among the most similar ones of the library, from left to right. */
   stored: Array<number>;
-  /** How much the pieces differ, as a part of the order's area. */
+  /** How much the pieces differ, as a fraction of the order's area. */
   difference: number;
   /** The utilisation that was expected, 0 to 1. */
   predicted: number;
@@ -17,21 +17,21 @@ export type RemakeAttempt = {
   steps: Array<RemakeStepResult>;
 };
 
-/** What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them. */
+/** The outcome of remaking. remade: laid out like a stored marker; nested: nested from nothing, as requested; none_near: no stored marker is similar enough; not_apart: no attempt could separate its pieces on the cloth. */
 export type RemakeOutcome = "remade" | "nested" | "none_near" | "not_apart";
 
-/** A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces that no stored one corresponds to were added; rearranged: a short search has found a shorter marker; trims_moved: small pieces went into gaps; refined: as by accuracy fine. */
+/** A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine. */
 export type RemakeStep = "substituted" | "separated" | "popped" | "searched" | "compacted" | "inserted" | "rearranged" | "trims_moved" | "refined";
 
 /** The marker after a step of an attempt. */
 export type RemakeStepResult = {
   /** What was done. */
   step: RemakeStep;
-  /** How many pieces it concerned: swapped to relieve columns, popped, inserted, or trials kept. */
+  /** Number of pieces swapped to relieve columns, popped or inserted, or number of trials kept. */
   pieces: number;
   /** The x coordinate where the rightmost piece ends; exact. */
   length: number;
-  /** The utilisation of the pieces that lie there, 0 to 1. */
+  /** The utilisation of the pieces that are placed after the step, 0 to 1. */
   utilisation: number;
   /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
   valid: boolean;
@@ -49,7 +49,7 @@ export interface SearchMethods {
       seconds?: number;
       /** The seed of the random choices. */
       seed?: number;
-      /** Number of independent searches, 1 to 64, of which the best counts; they run in parallel. */
+      /** Number of independent searches, 1 to 64, which run in parallel; the best result is used. */
       searches?: number;
       /** True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again. */
       keepPlaced?: boolean;
@@ -61,9 +61,9 @@ export interface SearchMethods {
     result: MotionResult & {
       /** Number of pieces that lie on the cloth afterwards. */
       placed: number;
-      /** Number of pieces that do not, because the cloth ends before them. */
+      /** Number of pieces for which there was no room on the cloth. */
       unplaced: number;
-      /** Moves of a piece that all searches have made. */
+      /** Total number of moves of a piece in all searches. */
       moves: number;
       /** Number of rounds done. */
       rounds: number;
@@ -72,15 +72,15 @@ export interface SearchMethods {
   /** Lays the pieces of an order out like those of the most similar stored markers. */
   "marker.remake": {
     params: MotionParams & {
-      /** The stored markers to choose from: native or sparrow documents, of which the nearest are tried; those of the library when absent. */
+      /** The stored markers to choose from, as native or sparrow documents; the most similar ones are tried. Those of the library when absent. */
       stored?: Array<MarkerDocument | Record<string, unknown>>;
-      /** How many arrangements are tried at most, 1 to 64; the shortest result counts. */
+      /** Maximum number of arrangements to try, 1 to 64; the shortest result is used. */
       tries?: number;
-      /** True: one stored marker at a time, never two, one behind the other. */
+      /** True: use only one stored marker at a time; never put two of them end to end. */
       single?: boolean;
-      /** True: all tries are made and each is searched on for a shorter marker. False: when the first uses the cloth within a point as well as the stored marker, it is the answer; else the best of them is searched on. */
+      /** True: make all tries, and search for a shorter marker in each. False: take the first result whose utilisation is at most one point below that of the stored marker; if there is none, search for a shorter marker in the best result only. */
       thorough?: boolean;
-      /** True: the search for a shorter marker does not end with moving small pieces into gaps. */
+      /** True: after the search for a shorter marker, do not move small pieces into gaps. */
       keepTrims?: boolean;
       /** Whether the result is refined by the search of accuracy fine. */
       fine?: boolean;
@@ -90,9 +90,9 @@ export interface SearchMethods {
       nestMoves?: number;
     };
     result: MotionResult & {
-      /** The outcome. Unless the order was remade or nested, the marker stays as it is. */
+      /** The outcome. The marker changes only if the order was remade or nested. */
       outcome: RemakeOutcome;
-      /** Number of arrangements that were near enough. */
+      /** Number of arrangements that were similar enough. */
       candidates: number;
       /** The attempt that the result is from. */
       chosen?: number;
@@ -107,7 +107,7 @@ export interface SearchMethods {
     params: MotionParams & {
       /** How many times small pieces are taken out and put back; 200 when absent, without limit with a deadline. */
       trials?: number;
-      /** How many pieces are taken out at most in a trial, 1 to 12. */
+      /** Maximum number of pieces taken out in a trial, 1 to 12. */
       pieces?: number;
       /** The largest number of nodes of every search for room. */
       nodes?: number;
@@ -129,14 +129,14 @@ export interface SearchMethods {
       rounds: number;
     };
   };
-  /** Shortens the marker by placing the pieces of one stretch after another anew, exactly. */
+  /** Shortens the marker by an exact search for new places of the pieces in one stretch after another. */
   "marker.compactExactly": {
     params: MotionParams & {
       /** Number of pieces of a window, 1 to 12. */
       pieces?: number;
       /** The largest number of nodes of the search in a window. */
       nodes?: number;
-      /** How many windows are searched at most; 1,000 when absent, without limit with a deadline. */
+      /** Maximum number of windows to search; 1,000 when absent, without limit with a deadline. */
       windows?: number;
       /** Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched. */
       among?: Array<Id>;

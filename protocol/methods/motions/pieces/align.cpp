@@ -26,7 +26,8 @@ struct AlignResult {
 
   static void describe(auto& v, auto& self) {
     v.required("line", self.line, "Where the sides lie: an x for left and right, a y for bottom and top.");
-    v.required("aligned", self.aligned, "How many of the pieces lie on the line; others are in the way of the rest.");
+    v.required("aligned", self.aligned,
+               "How many of the pieces lie on the line; the rest are blocked by other pieces.");
     v.required("stop", self.stop, calls::kStopMeaning);
   }
 };

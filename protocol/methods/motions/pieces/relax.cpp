@@ -53,8 +53,8 @@ Result<calls::Motion<RelaxResult>> run_relax(const RelaxParams& params, const Ma
 }  // namespace
 
 calls::Method relax_method() {
-  return calls::motion_method("motion.relax", calls::MethodKind::kStep, "Moves one piece to where it has most room.",
-                              run_relax);
+  return calls::motion_method("motion.relax", calls::MethodKind::kStep,
+                              "Moves one piece to where it has the most room.", run_relax);
 }
 
 }  // namespace selvage::protocol::methods::motions::pieces

@@ -11,7 +11,7 @@ Accuracy = Literal["draft", "standard", "fine"]
 """How much work a motion invests: draft, standard or fine."""
 
 BestContainment = Literal["first", "room"]
-"""Which layout motion.contain returns: the first that it finds, or the one in which the pieces have most room."""
+"""Which layout motion.contain returns: the first that it finds, or the one in which the pieces have the most room."""
 
 ClothNap = Literal["up", "down", "up_and_down"]
 """How pieces lie on cloth with a nap: all up, all down, or one bundle up and the next one down."""
@@ -26,7 +26,7 @@ FloatMode = Literal["largest_minimum", "given_distance", "largest_total", "unifo
 """The objective of motion.float."""
 
 FoldRule = Literal["unfold", "keep", "lay"]
-"""What becomes of a half piece that is drawn up to its mirror line."""
+"""What happens to a half piece that is drawn up to its mirror line."""
 
 Format = Literal["native", "sparrow", "outlines", "svg", "pdf", "pdf_tiles", "report", "dxf", "cut", "hpgl", "esicup"]
 """A document format."""
@@ -38,16 +38,16 @@ LockedPart = Literal["x", "y", "tilt"]
 """What of a piece is locked."""
 
 Nap = Literal["one_way", "either_way"]
-"""Whether pieces may also lie turned by 180 degrees."""
+"""Whether pieces may also be rotated by 180 degrees."""
 
 NapDirection = Literal["up", "down"]
 """The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down)."""
 
 RemakeOutcome = Literal["remade", "nested", "none_near", "not_apart"]
-"""What became of an order: remade like a stored marker; nested from nothing, where asked; none_near: no stored marker is near enough; not_apart: the pieces of no attempt came apart, or the cloth ends before them."""
+"""The outcome of remaking. remade: laid out like a stored marker; nested: nested from nothing, as requested; none_near: no stored marker is similar enough; not_apart: no attempt could separate its pieces on the cloth."""
 
 RemakeStep = Literal["substituted", "separated", "popped", "searched", "compacted", "inserted", "rearranged", "trims_moved", "refined"]
-"""A step of an attempt. substituted: the pieces lie where stored ones did; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces that no stored one corresponds to were added; rearranged: a short search has found a shorter marker; trims_moved: small pieces went into gaps; refined: as by accuracy fine."""
+"""A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine."""
 
 Spread = Literal["one_way", "face_to_face"]
 """How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces."""
@@ -65,7 +65,7 @@ TiltMethod = Literal["linearisation", "relaxation"]
 """Whether pieces tilt all at once or one after another."""
 
 Verdict = Literal["found", "impossible", "undecided"]
-"""What a search for room came to: found, impossible (proved), or undecided because it ended early or the fit is as tight as rounding."""
+"""The outcome of a search for room: found, impossible (proved), or undecided, because it ended early or the fit is too tight to decide after rounding."""
 
 MOTIONS = frozenset(
     {

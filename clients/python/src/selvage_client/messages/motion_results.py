@@ -54,7 +54,7 @@ class RemakeStepResult:
 
 @dataclass(frozen=True)
 class RemakeAttempt:
-    """One arrangement that was taken over."""
+    """An attempt to use one arrangement."""
 
     stored: tuple[int, ...]
     difference: float

@@ -110,7 +110,7 @@ class AsyncPieces(AsyncMotion):
         timing: bool | None = None,
         progress: ProgressOption = None,
     ) -> Relaxed:
-        """Moves one piece to where it has most room."""
+        """Moves one piece to where it has the most room."""
         return await self._move(
             Relaxed,
             "motion.relax",

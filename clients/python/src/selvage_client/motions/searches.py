@@ -142,7 +142,7 @@ class AsyncSearches(AsyncMotion):
         timing: bool | None = None,
         progress: ProgressOption = None,
     ) -> CompactExactlyResult:
-        """Shortens the marker by placing the pieces of one stretch after another anew, exactly."""
+        """Shortens the marker by an exact search for new places of the pieces in one stretch after another."""
         return await self._move(
             CompactExactlyResult,
             "marker.compactExactly",
