@@ -51,13 +51,13 @@ struct Candidate {
   double off_centre = INFINITY;
 };
 
-// More room up to `enough`, then nearer to the middle.
+// Prefers more room up to `enough`, then a spot nearer to the middle.
 bool better(const Candidate& a, const Candidate& b, double enough) {
   const double room_a = std::min(a.radius, enough), room_b = std::min(b.radius, enough);
   return room_a != room_b ? room_a > room_b : a.off_centre < b.off_centre;
 }
 
-// A grid over the box, then finer grids round the best point so far.
+// Searches a grid over the box, then finer grids around the best point so far.
 Candidate best_spot(const std::vector<Point>& outline, double enough) {
   constexpr int kSteps = 6, kRefinements = 4;
   Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
@@ -107,7 +107,7 @@ LabelSpot spot_of(const Candidate& spot, bool upright) {
 }  // namespace
 
 LabelSpot find_label_spot(const Polygon& outline, double aspect, double enough) {
-  constexpr double kPreferLevel = 1.4;  // upright text must be this much larger to be worth the turned head
+  constexpr double kPreferLevel = 1.4;  // text along y must be this much larger to be worth tilting one's head
   const double radius = enough / kSquareInCircle;
   const Candidate level = best_squeezed(outline, aspect, 1, radius);
   if (kPreferLevel * level.radius >= radius) return spot_of(level, false);

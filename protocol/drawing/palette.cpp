@@ -15,7 +15,7 @@ struct Colour {
   int red{}, green{}, blue{};
 };
 
-// Muted, of nearly the same lightness, far enough apart to tell two that lie side by side.
+// Muted colours of nearly the same lightness, different enough that neighbours can be distinguished.
 constexpr std::array<Colour, 12> kPalette{{{142, 172, 201},
                                            {226, 184, 142},
                                            {156, 190, 152},
@@ -90,7 +90,7 @@ Weights neighbourhood(const Marker& marker, const std::vector<Polygon>& placed, 
   return weights;
 }
 
-// Family by family, the colour least seen among its neighbours; of equals the one least used so far.
+// Gives each family the colour that occurs least among its neighbours; of several, the one used least so far.
 std::vector<std::size_t> choose_colours(const Weights& weights) {
   std::vector<std::size_t> chosen;
   std::array<int, kPalette.size()> used{};

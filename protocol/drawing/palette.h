@@ -1,4 +1,4 @@
-// Colours for the shapes of a marker: calm ones, the same for mirror images up to a shade, different for
+// Colours for the shapes of a marker: muted ones, with the same hue for mirror images and different hues for
 // neighbours.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace selvage::protocol::drawing {
 
-// One per shape, as "#rrggbb".
+// One colour per shape, as "#rrggbb".
 [[nodiscard]] std::vector<std::string> shape_colours(const Marker& marker, const std::vector<Polygon>& placed);
 
 }  // namespace selvage::protocol::drawing

@@ -78,7 +78,7 @@ Label fit_label(const Polygon& outline, const std::string& text, double scale) {
   return {text, spot, std::min(kLargestLabel, 2 * spot.half_height * scale)};
 }
 
-// The label where it fits; the id alone where the label would be too small to read; nothing where even that is.
+// The label if it fits, the id alone if the label would be too small to read, or nothing if even the id would be.
 std::optional<Label> label(const Polygon& outline, const std::string& text, const std::string& id, double scale) {
   const Box box = box_of(outline);
   if (static_cast<double>(std::min(box.width(), box.height())) * scale < kSmallestLabel) return std::nullopt;
@@ -88,7 +88,7 @@ std::optional<Label> label(const Polygon& outline, const std::string& text, cons
   return best;
 }
 
-// Where a folded strip goes on in another row, the label keeps within its own.
+// If a folded strip continues in another row, the label stays within its own row.
 double label_x(const Label& label, const View& view) {
   const double half = (label.spot.upright ? label.size : text_width(label.text, label.size)) / 2;
   double x = view.x(label.spot.x);
@@ -104,7 +104,7 @@ std::string label_text(const Label& label, const View& view) {
   return out + ">" + escaped(label.text) + "</text>\n";
 }
 
-// The pieces as every row draws them.
+// The pieces, as they are drawn in every row.
 struct Pieces {
   std::vector<Polygon> outlines;
   std::vector<std::string> colours;  // one per shape
@@ -123,7 +123,7 @@ Pieces pieces_of(const Marker& marker, const SvgOptions& options, double scale) 
   return pieces;
 }
 
-// Those that lie in the row, whole or in part.
+// The pieces that lie in the row, completely or partly.
 std::string draw_pieces(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
   std::string out = "<g>\n";
   for (std::size_t i = 0; i < pieces.outlines.size(); ++i) {
@@ -139,12 +139,12 @@ std::string draw_pieces(const Marker& marker, const SvgOptions& options, const P
   return out + zones(marker, view) + "</g>\n";
 }
 
-// A zone may have its middle beyond the cloth.
+// The middle of a zone may lie beyond the cloth.
 bool on_cloth(const Marker& marker, const LabelSpot& spot, const View& view) {
   return spot.x >= 0 && spot.x < view.end() && spot.y >= 0 && spot.y < static_cast<double>(marker.strip.width);
 }
 
-// Each label stands in one row.  Labels are drawn above everything else, so that no line strikes through them.
+// Each label appears in one row.  Labels are drawn on top of everything else, so that no line crosses them.
 std::string draw_labels(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
   const bool over = !options.overlay.moves.empty() || !options.overlay.forces.empty() || !options.overlay.chain.empty();
   std::string out = over ? "<g class=\"over\">\n" : "<g>\n";
@@ -157,7 +157,7 @@ std::string draw_labels(const Marker& marker, const SvgOptions& options, const P
   return out + "</g>\n";
 }
 
-// A round step that puts major ticks about `pixels_apart` apart: 1, 2 or 5 times a power of ten.
+// A round step, 1, 2 or 5 times a power of ten, with major ticks about `pixels_apart` apart.
 double round_step(double unit_per_pixel, double pixels_apart) {
   const double raw = unit_per_pixel * pixels_apart;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -167,7 +167,7 @@ double round_step(double unit_per_pixel, double pixels_apart) {
   return 10 * power;
 }
 
-// A multiple of a round step, without the noise of the multiplication.
+// A multiple of a round step, without the rounding error of the multiplication.
 std::string tick_text(double value) {
   std::array<char, 32> buffer{};
   constexpr int kDigits = 9;
@@ -214,7 +214,7 @@ std::string end_lines(const SvgOptions& options, const View& view) {
   return out + line(x, view.top() - over, x, view.bottom() + over, "end");
 }
 
-// What is drawn of the strip, without the parts that lie in other rows.
+// The part of the strip that is drawn in this row.
 std::string within_row(const std::string& drawn, const View& view) {
   if (view.is_first() && view.is_last()) return drawn;
   const double left = view.is_first() ? 0 : view.x(view.from());

@@ -1,10 +1,10 @@
-// A drawing of a marker that a person likes to look at.  Written only; pure: the same marker, the same text.
+// An SVG drawing of a marker for people.  It is only written, never read; the same marker gives the same text.
 //
-// The strip lies along x with y upwards; pieces are coloured by shape (mirror images share a hue, neighbours
-// do not), each named in its middle where there is room; a ruler runs along the length, the caption says
-// length and utilisation. A strip of more than six times its width is folded into rows of the same length, one below
-// the other; a piece across the end of a row is drawn in both. Coordinates are rounded to a hundredth of a pixel: for
-// exact ones there is outlines.h.
+// The strip lies along x with y upwards; pieces are coloured by shape (mirror images share a hue, neighbours do not),
+// each named in its middle where there is room; a ruler runs along the length, the caption states length and
+// utilisation.  A strip of more than six times its width is folded into rows of the same length, one below the other; a
+// piece across the end of a row is drawn in both.  Coordinates are rounded to a hundredth of a pixel: outlines.h writes
+// exact ones.
 #pragma once
 
 #include <optional>
@@ -21,9 +21,9 @@ namespace selvage::protocol::drawing {
 struct SvgOptions {
   std::vector<std::string> labels;                 // one per piece; empty: the pieces' ids
   std::vector<document::Annotations> annotations;  // one per shape; empty: none
-  std::optional<Coord> length_before;              // where the marker ended before a motion: a second, dashed line
+  std::optional<Coord> length_before;              // where the marker ended before: a second, dashed line
   double height = 400;                             // of the strip, in pixels
-  SvgOverlay overlay;                              // what happened, and why it went no farther
+  SvgOverlay overlay;                              // what happened, and why it stopped
 };
 
 [[nodiscard]] std::string to_svg(const Marker& marker, const SvgOptions& options = {});

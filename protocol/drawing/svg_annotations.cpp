@@ -11,7 +11,7 @@ namespace {
 
 using document::Spot;
 
-constexpr double kLeastNotch = 3;      // pixels: shorter ones would not be seen
+constexpr double kLeastNotch = 3;      // pixels; shorter ones would be invisible
 constexpr double kDrill = 1.6;         // the radius of a drill hole, pixels
 constexpr double kSmallestText = 3.5;  // pixels
 

@@ -1,4 +1,4 @@
-// What is drawn on a piece besides its outline: notches, drill holes, inner lines and texts, where the piece lies.
+// Draws the annotations of a piece where it lies: notches, drill holes, inner lines and texts.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace selvage::protocol::drawing {
 
-// `annotations` are those of the piece's shape; `outline` is where the piece lies.
+// `annotations` are those of the piece's shape; `outline` is the outline of the placed piece.
 [[nodiscard]] std::string annotations(const document::Annotations& annotations, const Marker& marker,
                                       const Piece& piece, const Polygon& outline, const View& view);
 

@@ -113,7 +113,7 @@ std::string overlay_legend(const SvgOverlay& drawn, const Marker& marker, double
     text += "  \u00b7  moves in blue" + (factor > 1 ? ", \u00d7" + pixels(factor) : std::string{});
   }
   if (!drawn.forces.empty()) text += "  \u00b7  forces in red";
-  if (!drawn.chain.empty()) text += "  \u00b7  what holds the length in purple";
+  if (!drawn.chain.empty()) text += "  \u00b7  critical path in purple";
   return text;
 }
 

@@ -8,7 +8,7 @@
 namespace selvage::protocol::drawing {
 namespace {
 
-// Of the zones that some pieces may use, which are seen through it.
+// The hatching of zones that some pieces may use, so that the pieces remain visible.
 constexpr std::string_view kHatching =
     R"(<defs><pattern id="hatched" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45))"
     R"(">)"
@@ -35,7 +35,7 @@ std::string selvedge(Coord low, Coord high, const View& view) {
          pixels(view.end() * view.scale()) + "\" height=\"" + pixels(view.y(static_cast<double>(low)) - top) + "\"/>\n";
 }
 
-// The ends of all bands, each once.
+// The ends of all bands, without duplicates.
 std::string bands(const Marker& marker, const View& view) {
   std::set<Coord> ends;
   for (const Piece& piece : marker.pieces) {
@@ -78,7 +78,7 @@ std::string pattern(const Marker& marker, const View& view) {
   return out;
 }
 
-// Above the cloth, from the left end of each shade's leftmost piece to the right end of its rightmost.
+// Draws a line for each shade above the cloth, from the left end to the right end of its pieces.
 std::string shades(const Marker& marker, const View& view) {
   constexpr double kFirst = 4, kApart = 3;  // pixels above the cloth, and between the lines of two shades
   const marker::PlacedPieces pieces{marker};

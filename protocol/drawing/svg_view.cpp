@@ -8,7 +8,7 @@ namespace selvage::protocol::drawing {
 namespace {
 
 constexpr double kLongestRow = 6;  // times the strip's width
-constexpr double kMostRows = 100;  // a strip that would take more is drawn less high
+constexpr double kMostRows = 100;  // a strip that would need more rows is drawn at a smaller scale
 constexpr double kBetween = 24;    // pixels between the ruler of a row and the cloth of the next
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The drawing's page: where the strip lies on it, how lattice units become pixels, and the few elements it is made of.
+// The page of a drawing: where the strip lies, how lattice units are mapped to pixels, and the SVG elements in use.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace selvage::protocol::drawing {
 
-// How lattice units become pixels in one row of a drawing, which shows the part of the strip between two x.
+// Maps lattice units to pixels in one row of a drawing, which shows the part of the strip between two x coordinates.
 class View {
  public:
   static constexpr double kLeft = 46, kRight = 70, kTop = 52, kBottom = 40;  // margins round the strip, in pixels
@@ -25,7 +25,7 @@ class View {
   [[nodiscard]] double to() const { return to_; }
   [[nodiscard]] double top() const { return top_; }
   [[nodiscard]] double bottom() const { return top_ + height_; }
-  // True when some of it may lie in this row.
+  // True if a part of the box may lie in this row.
   [[nodiscard]] bool shows(const Box& box) const {
     return static_cast<double>(box.high.x) >= from_ && static_cast<double>(box.low.x) <= to_;
   }
@@ -40,8 +40,8 @@ class View {
   double from_{}, to_{}, top_{};
 };
 
-// The rows of a drawing.  A strip much longer than wide would be an unreadable ribbon: it is folded into several rows
-// of the same length, one below the other.  One that would take more than a hundred rows is drawn less high.
+// The rows of a drawing.  A strip that is much longer than wide would be unreadable in one row, so it is folded into
+// rows of the same length, one below the other.  If it needed more than a hundred rows, it is drawn at a smaller scale.
 class Rows {
  public:
   // `length` and `end`: where the marker and the drawn cloth end, lattice units; `height`: of the strip, in pixels, if
@@ -59,18 +59,18 @@ class Rows {
   std::size_t count_{};
 };
 
-// So many decimals; and rounded to a hundredth, as short as can be.
+// With this number of decimals; and rounded to a hundredth, as short as possible.
 [[nodiscard]] std::string fixed(double value, int decimals);
 [[nodiscard]] std::string pixels(double value);
-// Text that may stand in an element or an attribute.
+// Escapes text for use in an element or an attribute.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-// How wide a text is, about; in the unit of the font's size.
+// The approximate width of a text, in units of the font's size.
 [[nodiscard]] double text_width(std::string_view text, double size);
 
-// The outline as the `d` of a path.
+// The outline as the attribute `d` of a path.
 [[nodiscard]] std::string outline_path(const Polygon& outline, const View& view);
-// What of the drawing lies in a rectangle of the page.
+// Clips the drawing to a rectangle of the page.
 [[nodiscard]] std::string clipped(double x, double y, double width, double height, const std::string& drawn);
 // In pixels; `style` is a class of the drawing's style sheet.
 [[nodiscard]] std::string line(double x1, double y1, double x2, double y2, std::string_view style);

@@ -5,7 +5,7 @@
 namespace selvage::protocol::edits {
 namespace {
 
-// Where an edit of a piece gave the field, a pointer from the piece in the native form; empty when it did not.
+// A pointer, relative to a piece in the native format, to the field if the edit gave it; otherwise empty.
 std::string given_at(const Edit& edit, const std::string& field) {
   if (std::holds_alternative<AddPiece>(edit) && !field.empty()) return "/piece" + field;
   const bool same = (std::holds_alternative<RulesOfPiece>(edit) && field.starts_with("/rules")) ||

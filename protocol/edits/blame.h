@@ -1,4 +1,4 @@
-// Which operation of marker.apply is to blame for an error of the marker that all of them make.
+// Finds the operation of marker.apply that causes an error in the resulting marker.
 #pragma once
 
 #include <cstddef>
@@ -24,8 +24,8 @@ struct Blame {
   std::vector<std::size_t> pieces, rules, shapes;
   std::size_t strip{kNoEdit}, spacing{kNoEdit}, overlap{kNoEdit}, shade{kNoEdit};
 
-  // An error of make_marker, its field pointing into the edit that is to blame: at what it gave, where it gave that
-  // ("/ops/0/rules/to"), or else at the edit.
+  // An error of make_marker, with its field pointing to the edit that causes it: to the value in the edit if it
+  // contains one ("/ops/0/rules/to"), otherwise to the edit.
   [[nodiscard]] Error at_its_edit(Error error, std::span<const Edit> edits) const;
 };
 

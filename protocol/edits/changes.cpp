@@ -9,7 +9,7 @@
 namespace selvage::protocol::edits {
 namespace {
 
-// True when nothing but pieces differs.
+// True if only pieces differ.
 bool same_frame(const MarkerFile& before, const MarkerFile& after) {
   Marker rest = before.marker;
   rest.pieces = after.marker.pieces;

@@ -1,5 +1,5 @@
-// Calls that change a marker by hand: apply, undo and redo; and what its author and those who watch the marker learn of
-// any change.
+// The calls that edit a marker: apply, undo and redo; and the description of a change for its author and for
+// watchers.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@
 
 namespace selvage::protocol::edits {
 
-// What marker.undo and marker.redo take, and marker.apply too.
+// The parameters of marker.undo and marker.redo, which marker.apply also has.
 struct ChangeParams {
   static constexpr std::string_view kGroup = "call";
   std::string marker_id;
-  std::optional<Revision> base_revision;  // refuse when the marker is at another
+  std::optional<Revision> base_revision;  // refuse the call if the marker is at another revision
   std::optional<std::string> op_id;       // the client's name for the call
 
   static void describe(auto& v, auto& self) {
@@ -39,7 +39,7 @@ struct ApplyParams {
   }
 };
 
-// A change of a marker, as its author and those who watch the marker get it.
+// A change of a marker, as it is reported to its author and to watchers.
 struct Change {
   std::vector<calls::PieceState> placements;
   std::vector<std::string> removed;
@@ -66,7 +66,7 @@ struct Change {
 };
 [[nodiscard]] Change change_between(const MarkerFile& before, const MarkerFile& after);
 
-// The result of every call that changes a marker by hand.
+// The result of every call that edits a marker.
 struct CommittedChange {
   calls::AtRevision at;
   Change change;
@@ -85,7 +85,7 @@ struct ApplyResult {
     v.optional("notes", self.notes, "Repairs made to the shapes that were added.");
   }
 };
-// The result of the edits that led from a marker's state `before`, at this revision, to `after`, which keeps no notes.
+// The result of the edits that led from `before`, at this revision, to `after`, whose notes are moved out.
 [[nodiscard]] ApplyResult apply_result(const std::string& marker_id, Revision revision, const MarkerFile& before,
                                        MarkerFile& after);
 // The parameters of the notification marker.changed.
@@ -101,8 +101,8 @@ struct ChangedNotification {
   }
 };
 
-// The file with its marker's next state, which may have lost pieces, placed some or taken some off the cloth: each that
-// stays keeps its attributes.  REQUIRES: the next state has no piece that the file does not have.
+// The file with the next state of its marker, in which pieces may have been removed, placed or taken off the cloth.
+// All remaining pieces keep their attributes.  REQUIRES: the next state has no piece that the file does not have.
 [[nodiscard]] MarkerFile with_marker(const MarkerFile& file, Marker next);
 
 }  // namespace selvage::protocol::edits

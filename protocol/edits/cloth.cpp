@@ -86,7 +86,7 @@ class ClothMaker {
                      std::to_string(file_.marker.shapes.size()) + " shapes is allowed",
                  field + "/shape");
   }
-  // The outline as it was drafted becomes a line within the block.
+  // The drafted outline becomes a line inside the block.
   void make_block(Shape& shape, Json& attributes, const Box& by, const std::string& field) {
     document::Annotations annotations = document::annotations_of(attributes);
     document::DrawnLine drafted{document::LineKind::kInternal, true, {}};
@@ -175,7 +175,7 @@ class ClothMaker {
                " turned to lie with the nap; pieces that they overlap now have to be separated from them"});
     }
   }
-  // Turns the piece about the middle of its box when it lies against its nap and its shape allows the other way.
+  // Rotates the piece about the middle of its box if it lies against its nap and its shape allows the other direction.
   bool turn_with_nap(Piece& piece) const {
     const Shape& shape = file_.marker.shapes[piece.shape.value];
     if (keeps_nap(piece.rules, piece.orientation) || piece.locked) return false;
@@ -217,7 +217,7 @@ class ClothMaker {
     const bool valid = geometry::fits_lattice(at.x, resolution()) && geometry::fits_lattice(at.y, resolution());
     return fits(valid, field) ? Vec{to_lattice(at.x, resolution()), to_lattice(at.y, resolution())} : Vec{};
   }
-  // "zone 1" or the next that neither a piece nor a shape has.
+  // "zone 1", or the next such id that neither a piece nor a shape has.
   [[nodiscard]] std::string unused_id() const {
     std::set<std::string> used;
     for (const Shape& shape : file_.marker.shapes) used.insert(shape.id);

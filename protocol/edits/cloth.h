@@ -1,5 +1,5 @@
-// Cloth's rules for a whole marker at once (docs/cloth-rules.md), as somebody gives them who has a file without any: on
-// the command line, and where a marker is opened.  What is absent stays as the file has it.  Units: the marker's.
+// Sets cloth's rules for a whole marker at once (docs/cloth-rules.md), for files that contain none: on the command
+// line, and when a marker is opened.  Fields that are absent do not change the file.  Units: the marker's.
 #pragma once
 
 #include <optional>
@@ -117,10 +117,10 @@ struct Cloth {
   }
 };
 
-// The file with these rules.  A piece that lies against its nap is turned about its middle where its shape allows that.
-// Notes say what was turned, and a shade without pieces.
-// Errors: those of make_marker; kBeyondLattice; kOutOfRange for a piece or shape that the marker does not have and for
-// up_and_down where no piece has a bundle; `field` points into the file or at the field of Cloth.
+// The file with these rules.  A piece that lies against its nap is rotated about its middle if its shape allows that.
+// Notes report rotated pieces, and a shade without pieces.  Errors: those of make_marker; kBeyondLattice; kOutOfRange
+// for a piece or shape that the marker does not have and for up_and_down where no piece has a bundle; `field` points
+// into the file or at the field of Cloth.
 [[nodiscard]] Result<MarkerFile> with_cloth(MarkerFile file, const Cloth& cloth);
 
 }  // namespace selvage::protocol::edits

@@ -21,7 +21,7 @@ void erase_marked(std::vector<Entry>& list, const std::vector<bool>& marked) {
   list.resize(kept);
 }
 
-// A marker file while it is edited.  Pieces that are removed keep their place until the end, so that indices stay.
+// A marker file that is being edited.  Removed pieces keep their place until the end, so that indices do not change.
 class Editor {
  public:
   explicit Editor(MarkerFile file) : file_{std::move(file)} {
@@ -245,7 +245,7 @@ class Editor {
   }
   void apply(const SetStrip& strip) {
     Strip& mine = file_.marker.strip;
-    // Checked against the lattice alone: how far out a coordinate may be is measured in widths.
+    // Checked against the lattice only, because the limit for coordinates is measured in strip widths.
     const auto length = [this](double value, std::string_view field) {
       if (fits_lattice(value, resolution())) return to_lattice(value, resolution());
       mistake_.add(ErrorCode::kBeyondLattice, json::number_text(value) + " is too far out", pointer_of(edit_, field));
@@ -291,14 +291,14 @@ class Editor {
                  pointer_of(edit_, std::string{field}.append(*beyond)));
     return {};
   }
-  // A distance to keep: rounded up, so that it holds.
+  // A distance to keep, rounded up so that the rule holds.
   Coord clearance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::spacing_on_lattice(distance, resolution());
     mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));
     return 0;
   }
 
-  // A distance that is allowed: rounded down, so that no more is.
+  // An allowed distance, rounded down so that no more is allowed.
   Coord allowance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::overlap_on_lattice(distance, resolution());
     mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));
@@ -314,7 +314,7 @@ class Editor {
     erase_marked(file_.attributes.unplaced, taken_);
   }
 
-  // No edited piece reaches beyond the lattice: moves add up.
+  // Checks that no edited piece reaches beyond the lattice, because moves add up.
   void check_reach() {
     for (std::uint32_t i = 0; i < blame_.pieces.size(); ++i) {
       if (blame_.pieces[i] == kNoEdit) continue;

@@ -1,8 +1,8 @@
 // Edits: the operations of marker.apply, applied in order, all or none.
 //
-// Words and numbers are checked when they are read; what they do to a marker is checked when they are applied.  An edit
+// Words and numbers are checked when they are read; their effect on a marker is checked when they are applied.  An edit
 // may leave pieces overlapping or outside the strip, which motions then repair; the marker is always well formed.
-// Coordinates are rounded to the marker's lattice, whose resolution stays.
+// Coordinates are rounded to the marker's lattice, whose resolution does not change.
 #pragma once
 
 #include <optional>
@@ -40,7 +40,7 @@ struct NullableLength {
   std::optional<double> value;
 };
 
-// Of two fields exactly one is required.
+// Exactly one of two fields is required.
 inline auto one_of(std::string_view set, std::string_view add) {
   return [set, add](json::Fields& op, json::Mistake& mistake) {
     if (op.has(set) && op.has(add)) {

@@ -20,7 +20,7 @@ std::optional<Moves> moves_between(const MarkerFile& before, const MarkerFile& a
     if (from[i].id != to[i].id || from[i].shape != to[i].shape) return std::nullopt;
     if (from[i] != to[i]) moves.push_back({i, to[i]});
   }
-  // All the rest, whatever a marker comes to hold.
+  // Everything else, including whatever is added to Marker later.
   Marker rest = before.marker;
   rest.pieces = to;
   if (rest != after.marker) return std::nullopt;

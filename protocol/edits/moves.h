@@ -1,6 +1,6 @@
-// Moves: what differs between two states of one marker when it is the same pieces, of the same shapes, on the same
-// strip, that lie or are locked otherwise.  Far smaller than the marker: undo, the journal and whoever watches a marker
-// all keep or send moves, and the whole only when more than that changed.
+// Moves: the difference between two states of a marker with the same pieces and shapes on the same strip, of which only
+// placements and locks differ.  Moves are far smaller than the marker, so undo, the journal and notifications use
+// moves, and the whole marker only if more than that changed.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct Move {
 };
 using Moves = std::vector<Move>;  // by index
 
-// Nothing when more than moves leads from one to the other.  Law: moved(before, *moves_between(before, after)) has the
+// Returns nothing if the states differ in more than moves.  Law: moved(before, *moves_between(before, after)) has the
 // marker and attributes of `after`.
 [[nodiscard]] std::optional<Moves> moves_between(const MarkerFile& before, const MarkerFile& after);
 // REQUIRES: every index is one of a piece of the file.
@@ -26,7 +26,7 @@ using Moves = std::vector<Move>;  // by index
 
 // [[index, piece in the native form], ...], exact.
 [[nodiscard]] Json moves_json(const Marker& marker, const Moves& moves);
-// Errors: 10xx and 12xx for anything that moves_json would not have written of a state of this marker.
+// Errors: 10xx and 12xx for anything that moves_json cannot have written for a state of this marker.
 [[nodiscard]] Result<Moves> read_moves(const Json& list, const Marker& marker);
 
 }  // namespace selvage::protocol::edits

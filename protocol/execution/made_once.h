@@ -1,4 +1,4 @@
-// A value that is made once, by whoever needs it first, and then shared.  From any thread.
+// A value that is made once, by the first caller that needs it, and then shared.  Thread-safe.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace selvage::protocol::execution {
 template <class Value>
 class MadeOnce {
  public:
-  // When `make` throws, whoever asks next makes it.
+  // If `make` throws, the next caller makes the value.
   template <class Make>
   [[nodiscard]] std::shared_ptr<const Value> get(const Make& make) const {
     std::call_once(once_, [&] { value_ = std::make_shared<const Value>(make()); });

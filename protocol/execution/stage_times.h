@@ -1,5 +1,5 @@
-// How long each stage of a motion took.  The clock is the caller's: the core reports stages, whoever runs it
-// holds a clock and tells this when each began.
+// Measures how long each stage of a motion takes.  The core reports stages but has no clock; the caller has one and
+// calls this object when a stage begins.
 #pragma once
 
 #include "core/scene/observer.h"

@@ -49,7 +49,7 @@ void ThreadPool::do_next(Task& task, std::unique_lock<std::mutex>& lock) const {
       task.thrower = number;
     }
     open_.remove(&task);
-    task.next = task.count;  // the rest is not wanted any more
+    task.next = task.count;  // the remaining parts are not needed any more
   }
   if (--task.under_way == 0) task.ended.notify_one();
 }

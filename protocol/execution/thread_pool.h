@@ -1,8 +1,8 @@
-// A crew of threads: whoever calls each(), and helpers that all callers share.
+// A thread pool: the threads that call each(), and pool threads that all callers share.
 //
-// A caller does parts itself and waits for those only that a helper has under way: it always gets on, whoever else
-// calls and however little the helpers do.  A helper takes a part only while there is a core free for it, asked before
-// every part.  Parts may call each() again.
+// A caller executes parts itself and waits only for parts that a pool thread has already started.  So it always makes
+// progress, whatever other callers and the pool threads do.  A pool thread takes a part only if a core is free for it,
+// which is checked before every part.  Parts may call each() again.
 #pragma once
 
 #include <condition_variable>
@@ -21,7 +21,7 @@ namespace selvage::protocol::execution {
 
 class ThreadPool final : public Executor {
  public:
-  // How many helpers may work now; called by several threads, and with the crew locked.
+  // How many pool threads may work now.  Called by several threads, while the pool is locked.
   using Spare = std::function<std::size_t()>;
 
   explicit ThreadPool(std::size_t helpers);  // all of them, always
@@ -30,12 +30,12 @@ class ThreadPool final : public Executor {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  // The helpers that may work now, and who asks.
+  // How many pool threads may work now, and the function that says so.
   [[nodiscard]] std::size_t parallelism() const override;
   void for_each(std::size_t count, const Part& part) const override;
 
  private:
-  // Parts to be done; lives in each().
+  // The parts of one call of each(), which owns it.
   struct Task {
     const Part& part;
     const std::size_t count;
@@ -43,7 +43,7 @@ class ThreadPool final : public Executor {
     std::size_t under_way{};          // taken, not ended
     std::exception_ptr thrown{};      // by the first part of those that threw
     std::size_t thrower{};            // that part
-    std::condition_variable ended{};  // none is under way
+    std::condition_variable ended{};  // no part is being executed
   };
   // Takes the task's next part and does it.  REQUIRES: there is one; the lock is held, and is again afterwards.
   void do_next(Task& task, std::unique_lock<std::mutex>& lock) const;
@@ -52,8 +52,8 @@ class ThreadPool final : public Executor {
   const std::size_t helpers_;
   const Spare spare_;
   mutable std::mutex mutex_;
-  mutable std::condition_variable_any work_;  // a task has come
-  mutable std::list<Task*> open_;             // with parts that nobody has taken
+  mutable std::condition_variable_any work_;  // a task has been added
+  mutable std::list<Task*> open_;             // the tasks with parts that nobody has taken
   std::size_t helping_{};
   std::vector<std::jthread> threads_;
 };

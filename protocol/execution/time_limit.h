@@ -1,4 +1,4 @@
-// Stops a run when its time is up, or when its caller asks for it.
+// Stops a run when its time is up or its caller requests it.
 #pragma once
 
 #include <chrono>
@@ -15,12 +15,12 @@ class TimeLimit {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // The time counts from `begin`; none: there is no limit.
+  // The time counts from `begin`; without a time there is no limit.
   TimeLimit(std::stop_token caller, Clock::time_point begin, std::optional<std::chrono::duration<double>> limit);
 
-  // Stops when the time is up and when the caller asks for it.
+  // Requests a stop when the time is up or the caller requests it.
   [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
-  // True when the time was up before the caller asked for a stop.
+  // True if the time was up before the caller requested a stop.
   [[nodiscard]] bool is_up() const { return up_.stop_requested(); }
 
  private:

@@ -1,4 +1,4 @@
-// The formats that a marker is written in, and those that it is read from.
+// The formats in which markers are written, and those from which they are read.
 #pragma once
 
 #include <string_view>

@@ -22,7 +22,7 @@ namespace {
 using trade::ReadingOptions;
 using trade::Style;
 
-// The style that a reader makes of the text, as a marker of one garment.
+// Converts the style that a reader has read to a marker of one garment.
 template <class Reader>
 Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& options, Reader read) {
   Result<Style> style = read(text, options);
@@ -31,7 +31,7 @@ Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& opti
   return trade::marker_of(*style, trade::one_of_each(*style), options);
 }
 
-// The bundles of the order, which gives sizes, material and width.
+// The bundles of the order, which determines sizes, material and width.
 Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
   auto order = trade::orders::read_order(*options.order);
   if (order && options.one_of_each_size) order = trade::orders::one_of_each_size(*std::move(order));

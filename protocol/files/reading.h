@@ -1,4 +1,4 @@
-// Reading a marker from the text of any file: what kind of file it is, is recognised by its content.
+// Reads a marker from the text of a file, whose kind is recognised by its content.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ namespace selvage::protocol::files {
 // The kinds of files that are distinguished.
 enum class FileKind { kJson, kDxf, kCut, kHpgl, kSvg, kEsicup };
 
-// By its first characters; none when it is like none of them.
+// Recognises a file by its first characters; returns none for an unknown kind.
 [[nodiscard]] std::optional<FileKind> kind_of(std::string_view text);
 
-// A file that is not JSON is read as a marker in millimetres, to be written in the native form.
-// Errors: kUnknownFormat for a text of no known kind, and those of the kind's reader.
+// A file that is not JSON is read as a marker in millimetres, whose format is then the native one.  Errors:
+// kUnknownFormat for a text of no known kind, and those of the kind's reader.
 [[nodiscard]] Result<MarkerFile> read_file(std::string_view text, const trade::ReadingOptions& options = {});
 
 }  // namespace selvage::protocol::files

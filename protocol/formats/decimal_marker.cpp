@@ -15,7 +15,7 @@ std::string indexed(std::string_view list, std::size_t index, std::string_view f
   return std::string{list} + std::to_string(index) + std::string{field};
 }
 
-// What decides the resolution: the most decimals and the largest coordinate, and where the latter stands.
+// What determines the resolution: the largest number of decimals, and the largest coordinate with its field.
 struct Survey {
   int decimals{};
   double extent{};
@@ -36,7 +36,7 @@ double largest(const Decimal& p) {
   return std::max(std::abs(p.x), std::abs(p.y));
 }
 
-// The largest coordinate of an outline in its orientation and place.  (Floating point: this only chooses a
+// The largest coordinate of an oriented and placed outline.  (Floating point: this only chooses a
 // resolution.)
 double placed_extent(const std::vector<Decimal>& outline, const Orientation& orientation, const Decimal& at) {
   const double angle = (orientation.rotation.degrees + orientation.tilt.degrees) * std::numbers::pi / 180;
@@ -125,7 +125,7 @@ Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {
   return all;
 }
 
-// The resolution asked for, or the one that suits; an error when it cannot hold the farthest coordinate.
+// The requested resolution, or a suitable one; an error if it cannot represent the largest coordinate.
 Result<Resolution> settle_resolution(const DecimalMarker& written, const Survey& all) {
   const double far = kFarthest * written.width;
   if (!(all.extent <= far)) {
@@ -190,7 +190,7 @@ void note_rounding(std::vector<Note>& notes, const Survey& all, const Marker& ma
                            json::number_text(to_decimal(1, marker.resolution)) + " " + marker.unit});
 }
 
-// An automatic resolution that is exact may leave little room beyond the present marker.
+// An exact resolution that was chosen automatically may leave little room beyond the current marker.
 void note_headroom(std::vector<Note>& notes, const DecimalMarker& written, const Survey& all, const Marker& marker) {
   if (written.resolution || fits_lattice(geometry::kHeadroom * all.extent, marker.resolution)) return;
   notes.push_back({"", "coordinates can grow to " + json::number_text(to_decimal(kLatticeLimit, marker.resolution)) +
@@ -304,7 +304,7 @@ Coord overlap_on_lattice(double overlap, Resolution resolution) {
 }
 
 double in_unit(double lattice, Resolution resolution) {
-  // Divided by a power of ten that a double holds, rather than multiplied by one that it does not.
+  // Divides by a power of ten that a double represents exactly, rather than multiplying by one that it does not.
   return resolution.exponent <= 0 ? lattice / to_decimal(1, Resolution{-resolution.exponent})
                                   : lattice * to_decimal(1, resolution);
 }

@@ -1,8 +1,8 @@
 // A marker in decimals, as files contain it, and its conversion to the lattice.
 //
-// The readers of the file formats fill this in; on_lattice chooses the resolution, rounds, repairs outlines, lists the
-// repairs in the notes and checks the result.  Errors and notes point into the native format ("/shapes/2/outline"); the
-// reader of another format renames them.
+// The readers of the file formats fill in these structures; on_lattice chooses the resolution, rounds, repairs
+// outlines, lists the repairs in the notes and checks the result.  Errors and notes point into the native format
+// ("/shapes/2/outline"); the readers of other formats translate them.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ namespace selvage::protocol::formats {
 struct DecimalShape {
   Shape shape;  // all but the outline
   std::vector<Decimal> outline;
-  std::size_t holes{};  // left out: a piece is treated as filled
+  std::size_t holes{};  // ignored, because a piece is treated as filled
 };
 
 struct DecimalPiece {
@@ -46,8 +46,8 @@ struct DecimalMarker {
 };
 
 inline constexpr json::Range kStripWidths{1e-6, 1e9};
-// A coordinate may lie this many strip widths from the origin: far beyond any cloth, and the lattice is still
-// fine.
+// The largest distance of a coordinate from the origin, in strip widths: far beyond any cloth, while the lattice is
+// still fine.
 inline constexpr double kFarthest = 1e5;
 
 // Errors: kBeyondLattice, kDuplicateId, kUnknownShape, those of clean_polygon and make_marker.
@@ -59,13 +59,13 @@ inline constexpr double kFarthest = 1e5;
 [[nodiscard]] Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,
                                              std::vector<Note>& notes);
 
-// The elements of an array of [x, y].  A mistake for anything else.
+// The elements of an array of [x, y]; anything else is a mistake.
 [[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, json::Mistake& mistake);
 [[nodiscard]] Decimal read_point(const Json& value, const std::string& at, json::Mistake& mistake);
 
-// The least distance that is at least `spacing` on the lattice: rounded up, so that it holds.
+// The spacing on the lattice, rounded up so that it is kept.
 [[nodiscard]] Coord spacing_on_lattice(double spacing, Resolution resolution);
-// The largest overlap allowance on the lattice that is at most `overlap`: rounded down, so that no more is allowed.
+// The overlap allowance on the lattice, rounded down so that no more is allowed.
 [[nodiscard]] Coord overlap_on_lattice(double overlap, Resolution resolution);
 
 // Adds a note for every shape with a part narrower than the overlap allowance of a piece of it.
@@ -77,7 +77,7 @@ void note_narrow_parts(std::vector<Note>& notes, const Marker& marker);
 [[nodiscard]] Json point_json(Vec point, Resolution resolution);
 [[nodiscard]] Json outline_json(const Polygon& outline, Resolution resolution);
 
-// The angle out of `allowed` that equals `degrees` up to whole turns and `slack`; none when there is none.
+// The angle in `allowed` that equals `degrees` up to whole turns and `slack`, if there is one.
 [[nodiscard]] std::optional<Angle> matching_rotation(double degrees, const std::vector<Angle>& allowed, double slack);
 
 }  // namespace selvage::protocol::formats

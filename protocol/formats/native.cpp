@@ -43,7 +43,7 @@ DecimalShape read_shape(const Json& value, const std::string& at, json::Mistake&
   if (const Json* holes = fields.maybe_array("holes")) {
     for (const Json& hole : *holes) {
       if (mistake) break;
-      // Read only so that a mistake in a hole is not passed over: a piece is treated as filled.
+      // Holes are read only in order to report mistakes in them; a piece is treated as filled.
       (void)read_points(hole, fields.pointer("holes") + "/" + std::to_string(shape.holes), mistake);
       ++shape.holes;
     }

@@ -7,7 +7,7 @@
 namespace selvage::protocol::formats {
 namespace {
 
-// The overlap allowance that holds for all pairs of the piece that it has an allowance with.
+// The overlap allowance that applies to all pairs of the piece with an allowance.
 Coord allowance_of(const Marker& marker, const Piece& piece) {
   return marker.spacing > 0 || piece.buffer > 0 ? 0 : piece.overlap.value_or(marker.overlap);
 }
@@ -23,7 +23,7 @@ Json outlines_document(const Marker& marker) {
     if (allowance > 0) pieces.back()["overlap"] = to_decimal(allowance, marker.resolution);
     if (const marker::Rules& rules = marker.pieces[i].rules; rules != marker::Rules{}) {
       Json& written = pieces.back()["rules"] = schema::encode(decimal_rules(rules, marker.resolution));
-      if (rules.nap) written["rotation"] = marker.pieces[i].orientation.rotation.degrees;  // outlines do not tell
+      if (rules.nap) written["rotation"] = marker.pieces[i].orientation.rotation.degrees;  // which outlines do not show
       // Where it lies, as the outline: the shape's own coordinates say nothing here.
       if (rules.match) {
         written["match"] = point_json(marker.pieces[i].at + turned_match(marker.pieces[i]), marker.resolution);

@@ -1,4 +1,4 @@
-// Every piece's outline where it lies: what a cutter, a plotter or an independent check wants.  Written only.
+// The outline of every placed piece, for cutters, plotters and independent checks.  This format is only written.
 //
 // {"strip_height": H, "strip_length": L, "pieces": [{"id", "outline": [[x, y], ...], "overlap"}]}; strip_height is the
 // strip's width across, strip_length the marker's length, outlines counter-clockwise, every number the exact

@@ -17,7 +17,7 @@ namespace {
 
 constexpr json::Range kPermissions{-360, 360};  // degrees
 constexpr json::Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
-constexpr double kAngleSlack = 1e-3;            // degrees; what single precision makes of a quarter turn is far closer
+constexpr double kAngleSlack = 1e-3;            // degrees; a quarter turn in single precision is far closer than this
 constexpr double kTiltSlack = 5e-5;  // degrees; the same where a shape may tilt, and the difference may be a tilt
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
@@ -62,7 +62,7 @@ struct Reading {
   DecimalMarker marker;
   document::Attributes attributes;
   std::vector<bool> filled;          // per item: its shape is written as {outer, inner}
-  std::vector<std::int64_t> demand;  // per item: its pieces, without zones; 0 when it does not say
+  std::vector<std::int64_t> demand;  // per item: its pieces, without zones; 0 if the file does not say
   std::vector<Note> notes;
   json::Mistake mistake;
 };
@@ -102,7 +102,7 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   DecimalShape shape;
   shape.shape.id = fields.id("id");
   if (fields.has("orientation")) {
-    // Taking such an item for one that may turn freely would be wrong and silent.
+    // To read such an item as one that may rotate freely would be a silent mistake.
     reading.mistake.add(ErrorCode::kUnknownField, "permissions of jagua-rs 0.9 are not read; allowed_orientations is",
                         fields.pointer("orientation"));
   }
@@ -140,7 +140,7 @@ void read_solution(json::Fields& fields, Reading& reading) {
   }
 }
 
-// The copies that are asked for and not placed.
+// The copies that the demand includes but the solution does not place.
 void list_unplaced(Reading& reading) {
   DecimalMarker& marker = reading.marker;
   std::unordered_map<std::string, std::int64_t> placed;
@@ -170,7 +170,7 @@ double in_degrees(double radians) {
 }
 
 // The allowed rotation nearest to the piece's, and what is left as a tilt, when the shape may tilt that far.  A tilt
-// that is told apart counts to the last bit, when the rotation agrees with it: its sum with the rotation is rounded.
+// that the file states separately is taken exactly if the rotation agrees with it, because their sum was rounded.
 void settle_rotation(Orientation& orientation, const Shape& shape) {
   const double degrees = orientation.rotation.degrees;
   const Angle told = std::exchange(orientation.tilt, {});
@@ -188,7 +188,7 @@ void settle_rotation(Orientation& orientation, const Shape& shape) {
   }
 }
 
-// Do all pieces that may not turn freely lie in an allowed orientation, their rotations taken through `unit`?
+// Whether all pieces with limited rotations have an allowed orientation if their rotations are converted by `unit`.
 template <class Unit>
 bool all_allowed(const DecimalMarker& marker, const std::vector<const Shape*>& shapes, Unit unit) {
   for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
@@ -270,7 +270,7 @@ bool is_item_id(const std::string& id) {
   return std::all_of(id.begin(), id.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// The number of each shape as an item: its id when all ids are numbers, else its position.
+// The number of each shape as an item: its id if all ids are numbers, otherwise its position.
 std::vector<std::uint64_t> item_ids(const Marker& marker) {
   const bool numbered =
       std::all_of(marker.shapes.begin(), marker.shapes.end(), [](const Shape& s) { return is_item_id(s.id); });
@@ -332,7 +332,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   std::vector<std::size_t> copies(marker.shapes.size());
   for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
     if (marker.pieces[i].orientation.flip) {
-      return Error{ErrorCode::kOrientationNotAllowed, "the sparrow form has no word for a flipped piece",
+      return Error{ErrorCode::kOrientationNotAllowed, "the sparrow format cannot express a flipped piece",
                    "/pieces/" + std::to_string(i) + "/flip"};
     }
     if (!marker.pieces[i].rules.zone) ++copies[marker.pieces[i].shape.value];

@@ -1,16 +1,16 @@
 // The jagua-rs instance and sparrow solution JSON (github.com/JeroenGar/jagua-rs,
 // github.com/JeroenGar/sparrow).
 //
-// The strip runs along x, strip_height is its width across; a placed item is turned by `rotation` about its
-// shape's own origin, then translated.  Rotations are degrees; solutions written before jagua-rs switched to
-// degrees are recognised by their allowed orientations and read as radians.  Shapes of type simple_polygon
-// and polygon (holes treated as filled) are read.
+// The strip runs along x, and strip_height is its width across.  A placed item is rotated by `rotation` about the
+// origin of its shape, then translated.  Rotations are degrees; solutions written before jagua-rs switched to degrees
+// are recognised by their allowed orientations and read as radians.  Shapes of type simple_polygon and polygon (holes
+// treated as filled) are read.
 //
 // Copies that an item's demand asks for and the solution does not place, which are all of them in an instance without a
-// solution, are the marker's unplaced pieces; their ids are the least numbers that no piece has.  Written, they are the
-// part of the demand that is not placed, and nothing else of them is kept.
+// solution, are the marker's unplaced pieces; their ids are the least numbers that no piece has.  They are written as
+// the part of the demand that is not placed; nothing else is kept of them.
 //
-// Fields the form does not define are kept and written back.  Of those Selvage reads: units, spacing (whole
+// Fields that the format does not define are kept and written back.  Of these, Selvage reads: units, spacing (whole
 // form); tilt_limit_deg (item); id, locked, tilt_deg (placed item).
 #pragma once
 

@@ -1,5 +1,5 @@
-// What a library knows of a stored marker without reading its document: what a list shows, and the signature by which
-// the nearest markers are found.  The daemon keeps it in its store, the command line in the index of a folder.
+// What a library knows about a stored marker without reading its document: figures for lists, and the signature by
+// which similar markers are found.  The daemon keeps it in its store, the command line in the index of a folder.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,9 @@ struct StoredFigures {
 // REQUIRES: the marker has pieces.
 [[nodiscard]] StoredFigures stored_figures_of(const Marker& marker);
 
-// An object, to which a caller may add fields of its own.
+// Returns an object, to which a caller may add fields.
 [[nodiscard]] Json figures_document(const StoredFigures& figures);
-// Nothing if the document is not one of figures_document(); other fields are passed over.
+// The inverse of figures_document(), or nothing; other fields are ignored.
 [[nodiscard]] std::optional<StoredFigures> read_stored_figures(const Json& document);
 
 }  // namespace selvage::protocol::library

@@ -18,8 +18,8 @@ class MethodTable {
   [[nodiscard]] std::span<const calls::Method> all() const { return methods_; }
   // Null when there is none of this name.
   [[nodiscard]] const calls::Method* find(std::string_view name) const;
-  // Puts another method in the place of the one of the same name: tests put in ones that wait, throw or never end.
-  // REQUIRES: there is one.
+  // Replaces the method with the same name.  Tests insert methods that wait, throw or never end.  REQUIRES: there is
+  // one.
   void replace(calls::Method method);
 
  private:
@@ -31,7 +31,7 @@ class MethodTable {
   return method_table().find(name);
 }
 
-// A message that the daemon sends without being asked.
+// A notification that the daemon sends.
 struct Notification {
   std::string_view name, summary;
   std::vector<schema::FieldDescription> (*params)(){};

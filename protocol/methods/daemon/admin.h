@@ -1,4 +1,4 @@
-// admin.backup: what only the operator of a daemon asks for.
+// admin.backup: a call for the operator of a daemon.
 #pragma once
 
 #include <cstdint>

@@ -42,10 +42,10 @@ struct Limits {
     v.required("callsPerConnection", self.calls_per_connection, "Unanswered calls of a connection.");
   }
 };
-// Those of the protocol; the server adds its own.
+// The limits of the protocol; the server adds its own.
 [[nodiscard]] Limits protocol_limits(std::size_t request_bytes);
 
-// Its first number changes when a client written for an earlier version may break, its second when something is added.
+// The first number changes when clients of an earlier version may break, the second when something is added.
 inline constexpr std::string_view kProtocolVersion = "0.3";
 
 struct EngineInfo {
@@ -74,7 +74,7 @@ struct EngineInfo {
     v.required("cache", self.cache, "The cache of Minkowski sums.");
   }
 };
-// With all that the protocol knows: formats, accuracies, methods and its limits.
+// Filled with what the protocol knows: formats, accuracies, methods and its limits.
 [[nodiscard]] EngineInfo engine_info(std::size_t request_bytes);
 
 struct CancelParams {

@@ -61,7 +61,7 @@ namespace {
 constexpr json::Range kWidths{1, 1e6};         // millimetres
 constexpr json::Range kTolerances{1e-4, 100};  // millimetres
 
-// How a text is to be read; without meaning for JSON documents.
+// How to read a text.  These options have no effect on JSON documents.
 struct ReadingFields {
   static constexpr std::string_view kGroup = "reading";
 
@@ -119,7 +119,7 @@ Result<MarkerFile> read_source(const OpenFields& fields) {
   return files::read_file(source.text(), options);
 }
 
-// The error of with_cloth points at a parameter or into the marker; which has a field `shade`, too.
+// The error of with_cloth points to a parameter or into the marker, which also has a field `shade`.
 Error into_parameters(Error error, const edits::Cloth& cloth) {
   const std::string_view field = error.field;
   const bool of_shade = field.starts_with("/shade") && !cloth.shade;

@@ -10,7 +10,7 @@
 namespace selvage::protocol::methods::dragging {
 
 Result<Vec> within_reach(const calls::Point& to, const Marker& marker) {
-  // Half the lattice: the piece's own extent comes on top.
+  // Half the lattice, because the extent of the piece is added to it.
   const double far = std::min(formats::kFarthest * to_decimal(marker.strip.width, marker.resolution),
                               to_decimal(kLatticeLimit / 2, marker.resolution));
   for (const double coordinate : {to.x, to.y}) {

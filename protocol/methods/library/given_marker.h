@@ -1,4 +1,4 @@
-// A marker that is given whole in the parameters of a call, as a native or sparrow document.
+// A marker that is given as a document, native or sparrow, in the parameters of a call.
 #pragma once
 
 #include <string>

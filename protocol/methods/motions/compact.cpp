@@ -21,7 +21,7 @@ struct CompactParams {
   }
 };
 
-// With a deadline the search goes on until then.
+// With a deadline the search continues until then.
 search::RefineSettings search_settings(const calls::CommonParams& call) {
   search::RefineSettings settings = search::refine_settings();
   if (call.deadline_ms) {
@@ -34,7 +34,7 @@ search::RefineSettings search_settings(const calls::CommonParams& call) {
 
 Result<calls::Motion<calls::RoundsResult>> run_compact(const CompactParams& params, const Marker& start,
                                                        const calls::MethodContext& context) {
-  // A limit on the rounds or a simplification asks for a compaction alone.
+  // With a limit on the rounds or a simplification, only a compaction is run, without a search.
   const calls::Effort& effort = params.effort;
   const bool search =
       effort.accuracy == motion::compaction::Accuracy::kFine && !effort.rounds && !effort.simplification;

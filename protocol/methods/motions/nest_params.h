@@ -42,7 +42,7 @@ struct NestBudget {
   std::uint64_t moves{};
   std::function<double()> elapsed;  // as in nesting::NestSettings; its clock starts when the budget is made
 };
-// The part of a limit that has passed since now; 1 and more when all of it has.
+// The fraction of a limit that has elapsed since this call; 1 or more when the limit has been reached.
 [[nodiscard]] std::function<double()> elapsed_within(std::chrono::duration<double> limit);
 // Errors: kOutOfRange when an accuracy and seconds are given.
 [[nodiscard]] Result<NestBudget> budget_of(const NestEffort& effort);

@@ -1,4 +1,4 @@
-// motion.separate: overlapping pieces are separated with little motion; what remains is named [Li94 5.2].
+// motion.separate: separates overlapping pieces with little motion and reports remaining overlaps [Li94 5.2].
 #include "core/motion/separation/separate.h"
 
 #include "protocol/calls/motion.h"

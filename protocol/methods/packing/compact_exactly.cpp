@@ -1,5 +1,5 @@
-// marker.compactExactly: the pieces of a window placed anew, so that those behind it come nearer; windows slide over
-// the marker.
+// marker.compactExactly: places the pieces of a window anew, so that the pieces behind it can move closer; windows
+// slide over the marker.
 #include "core/packing/refitting/compact_exactly.h"
 
 #include "protocol/methods/packing/search_params.h"

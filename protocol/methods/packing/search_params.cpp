@@ -33,7 +33,7 @@ Result<std::vector<PieceId>> chosen_pieces(const Marker& marker, const std::opti
     }
     if (pieces.empty()) {
       return Error{ErrorCode::kOutOfRange,
-                   "is absent, and the marker has no unplaced piece; the ids of the pieces that shall be placed are "
+                   "is absent, and the marker has no unplaced piece; the ids of the pieces to place are "
                    "allowed",
                    "/pieces"};
     }

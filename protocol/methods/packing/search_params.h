@@ -1,5 +1,5 @@
-// What the exact searches share on the wire: their limits, the pieces and the room that they are given, and what they
-// report of their work.
+// What the messages of the exact searches share: limits, pieces and room, and figures about the
+// search.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct SearchEffort {
 [[nodiscard]] Result<std::vector<PieceId>> chosen_pieces(const Marker& marker,
                                                          const std::optional<std::vector<calls::Id>>& ids);
 
-// Errors: kTooManyPieces when a search of so many pieces is refused.
+// Errors: kTooManyPieces if there are too many pieces for an exact search.
 [[nodiscard]] std::optional<Error> too_many(std::size_t pieces, std::string_view what, std::string_view field);
 
 }  // namespace selvage::protocol::methods::packing

@@ -1,5 +1,5 @@
-// marker.get: a marker as a document.  The server looks at the parameters, too: it keeps the text of native documents,
-// and it alone knows what changed since a revision.
+// marker.get: a marker as a document.  The server also reads the parameters, because it keeps the text of native
+// documents, and only the server knows what changed since a revision.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How a method becomes a Method that reads a marker and leaves it as it is.
+// Makes a Method that reads a marker without changing it.
 #pragma once
 
 #include <memory>
@@ -22,7 +22,7 @@ struct AnalysisParams {
   }
 };
 
-// The result of every reading: the marker's id and revision, then its own fields.
+// The result of every reading method: the marker's id and revision, then its own fields.
 template <class Own>
 struct ReadingResult {
   calls::AtRevision at;

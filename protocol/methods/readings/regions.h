@@ -1,4 +1,4 @@
-// What marker.regions and motion.openGap share: what counts as an unoccupied region, and how one is described.
+// What marker.regions and motion.openGap share: the definition of an unoccupied region and its description.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace selvage::protocol::methods::readings {
 
-// In the marker's unit and its square; absent: those of unoccupied_settings().
+// In the marker's unit and its square; those of unoccupied_settings() if absent.
 struct RegionLimits {
   std::optional<double> least_area, clearance;
 

@@ -1,4 +1,4 @@
-// What the two baselines share: they are what compaction is measured against.
+// What the two baselines share.  Compaction is compared with them.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// motion.align: one side of the chosen pieces on one line.
+// motion.align: moves the chosen pieces so that one side of each lies on one line.
 #include "core/motion/placing/align.h"
 
 #include "protocol/calls/motion.h"

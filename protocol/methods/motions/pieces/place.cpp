@@ -1,4 +1,4 @@
-// motion.place: a piece goes to the free position nearest to a given one; all others stay.
+// motion.place: a piece moves to the free position nearest to a given one; all others stay.
 #include "core/motion/placing/place.h"
 
 #include "protocol/calls/motion.h"

@@ -1,4 +1,4 @@
-// motion.relax: one piece goes to where it has most room [Li94 6.1].
+// motion.relax: one piece moves to where it has the most room [Li94 6.1].
 #include "core/motion/piece/relax.h"
 
 #include "protocol/calls/motion.h"
