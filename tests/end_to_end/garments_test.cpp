@@ -68,7 +68,7 @@ std::string without_id(std::string answer) {
   return answer.erase(at, answer.find(',', at) - at);
 }
 
-// A garment marker whose pieces were moved apart: every motion leaves it valid and makes it no longer.
+// A garment marker whose pieces were moved apart: every motion leaves it valid and does not lengthen it.
 TEST(Motions, WorkOnAGarmentMarkerThroughTheDaemon) {
   server::app::Daemon daemon{on_free_port(1)};
   Wire wire{daemon.port()};

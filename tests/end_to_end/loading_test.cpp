@@ -107,7 +107,7 @@ TEST_F(Loading, EndsOnASignal) {
   }
 }
 
-// What is being read when the daemon is shut down does not matter: the store is as it was.
+// The store does not change, whatever is being read when the daemon is shut down.
 TEST_F(Loading, ThatWasEndedLosesNothing) {
   for (const int microseconds : {0, 300, 1000, 3000, 10'000}) {
     server::app::Daemon daemon{options_};

@@ -1,4 +1,4 @@
-// The log of the program: nobody waits for it, and it says who called and who was refused.
+// The log of the program: no call waits for it, and it records who called and who was refused.
 #include <csignal>
 #include <fstream>
 #include <sstream>

@@ -153,7 +153,7 @@ TEST(ExtremeLayouts, TenThousandPiecesInOneChain) {
   reached("rounds", result.rounds);
 }
 
-// The same for pieces that touch along slanted edges, where every contact may lose one unit to rounding and no more.
+// The same for pieces that touch along slanted edges, where every contact may lose at most one unit to rounding.
 TEST(ExtremeLayouts, AThousandSlantedPiecesInOneChain) {
   constexpr Coord kSide = 1'000'000;
   constexpr Coord kLean = 333'331;

@@ -40,7 +40,7 @@ TEST(ExtremeLocks, EverythingLockedStaysToTheLastBit) {
   reached("locked pieces", static_cast<double>(marker.pieces.size()));
 }
 
-// x is locked in half of the pieces and y in the others; pieces move only along their free axis.
+// Half of the pieces are locked along x and the others along y; pieces move only along their free axis.
 TEST(ExtremeLocks, EveryPieceLockedOnOneAxis) {
   Marker marker = test::garment("jeans_06g");
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) marker.pieces[k].locked = {k % 2 == 0, k % 2 == 1, false};

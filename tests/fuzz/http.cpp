@@ -1,4 +1,4 @@
-// Fuzz target: bytes as one HTTP connection, served by everything but the listening sockets.
+// Fuzz target: the bytes of one HTTP connection, served by the whole transport except for the listening sockets.
 //
 // The first byte says whether the server requires a token.  Every answer must be HTTP; no call may reach the service
 // without a Host header, from a foreign origin, or, if one is required, without the token.
@@ -40,7 +40,7 @@ bool contains(std::string_view text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-// What a connection's client has received, and how many calls the service has.
+// What the client of the connection has received, and the number of calls that reached the service.
 struct Outcome {
   std::string received;
   std::size_t calls{};

@@ -1,6 +1,7 @@
-// Fuzz target: the bytes of a store, as a whole file, or as the rows of one marker whose checksums are right.  The
-// first byte decides: 'f' for a file; otherwise the lines are the format, the document, and steps, history ("u" or "r"
-// and whether it is a document: "d" or "m") and its texts in turn.
+// Fuzz target: a store, given either as the bytes of a whole file or as the rows of one marker, with correct checksums.
+// The first byte is 'f' for a file.  Otherwise the first two lines are the format and the document.  They are followed
+// by pairs of lines:  "s" and a step, or the kind of a history entry ("u" or "r" for undo or redo, then "d" or "m" for
+// a document or moves) and its text.
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -17,7 +18,7 @@ namespace {
 
 namespace store = server::store;
 
-// A store that is accepted can be used: every marker is read or quarantined, and one more can be opened.
+// A store that is accepted must be usable: every marker is either read or quarantined.
 void use_file(const std::string& bytes) {
   static const TemporaryFolder kFolder;
   const std::string path = kFolder.file("store");
@@ -33,7 +34,7 @@ void use_file(const std::string& bytes) {
       if (now)
         demand(markers.peek(listed.id, store::UndoDirection::kUndo).has_value(), "an open marker has no history");
     }
-  } catch (const std::runtime_error&) {  // it is refused
+  } catch (const std::runtime_error&) {  // the store is refused
   }
 }
 

@@ -126,7 +126,7 @@ Fine fine(Vec v) {
   return {static_cast<long double>(v.x), static_cast<long double>(v.y)};
 }
 
-// A translation that may part two polygons, and the direction in which nearby ones do if it does.
+// A translation that may separate two polygons, and the direction in which nearby translations do so, too.
 struct Way {
   Fine by, out;
 };
@@ -143,13 +143,13 @@ class Slides {
       }
     }
   }
-  // The point of each that is nearest to 0.
+  // The point of each segment that is nearest to 0.
   [[nodiscard]] std::vector<Way> feet() const {
     std::vector<Way> ways;
     for (const Edge& e : segments_) ways.push_back({nearest(e), out_of(e)});
     return ways;
   }
-  // Where two of them cross, and the way from 0 lies between their normals.
+  // Where two segments cross, if the direction from 0 lies between their normals.
   [[nodiscard]] std::vector<Way> crossings() const {
     std::vector<Way> ways;
     for (const Edge& e : segments_) {

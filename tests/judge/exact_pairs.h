@@ -20,11 +20,11 @@ namespace selvage::test {
 [[nodiscard]] bool nearer_than(const Polygon& p, const Polygon& q, Coord distance);
 
 // True when moving q by a vector no longer than `distance` leaves no interior point in common with p.
-// REQUIRES: distance > 0.
-// Method: with the nearest such translation a vertex of one touches an edge of the other, or two vertices two edges.
-// For every vertex and edge, and for every two of them, vectors of whole units and of sixteenths about the nearest such
-// translation are tried, each with interiors_share, and last those that part the two boxes.  What is answered with true
-// is certain; a translation between such points may be missed.
+// REQUIRES: distance > 0.  Method: with the nearest such translation a vertex of one touches an edge of the
+// other, or two vertices two edges.  For every vertex and edge, and for every two of them, vectors of whole
+// units and of sixteenths about the nearest such translation are tried, each with interiors_share, and last
+// those that separate the two boxes.  The answer true is certain; a translation between such points may be
+// missed.
 [[nodiscard]] bool separable_within(const Polygon& p, const Polygon& q, Coord distance);
 
 // True when two edges that are not neighbours share a point.

@@ -57,8 +57,8 @@ Measure measure_of(const Polygon& polygon) {
   return measure;
 }
 
-// Checks that every vertex of the outline is a rounded vertex of the shape, and that nothing of the shape is missing
-// except what is thinner than rounding.
+// Checks that every vertex of the outline is a rounded vertex of the shape, and that no part of the shape is missing
+// unless it is thinner than rounding.
 std::string outline_fault(const Polygon& shape, const Orientation& orientation, const Polygon& outline) {
   if (outline.size() < 3) return "has no outline";
   const std::vector<Fine> wanted = before_rounding(shape, orientation);
@@ -92,7 +92,7 @@ std::string about(const Piece& piece, const std::string& what) {
   return "piece " + piece.id + " " + what;
 }
 
-// What of the strip's limits or of the piece's own rules its box breaks; empty when nothing.
+// Which of the strip's limits or of the piece's own rules its box violates; empty when none.
 std::string position_fault(const Box& box, const Strip& strip, const marker::Rules& rules) {
   if (box.low.x < strip.margin || (strip.longest && box.high.x > *strip.longest - strip.margin)) {
     return "leaves the strip";

@@ -1,4 +1,4 @@
-// The judge of the soak test: whether a marker is valid, and whether a motion changed only what it may change.
+// The judge of the soak test: checks whether a marker is valid, and whether a motion changed only what it may change.
 //
 // The judge is exact and independent of the code with which Selvage proves its results.  From the core it takes only
 // marker values and the outlines rounded to the lattice, and it compares those with the shapes.
@@ -19,7 +19,7 @@ struct Leave {
   bool tilts{};                       // pieces without locks may tilt within their limit
   std::optional<Angle> tilt_limit{};  // replaces the shapes' tilt limits; the result then has this limit
   bool turns{};                       // pieces may change to another allowed rotation of their shape
-  bool flips{};                       // pieces whose shapes may be mirrored may be
+  bool flips{};                       // pieces may be mirrored if their shapes allow it
 };
 
 class Judge {

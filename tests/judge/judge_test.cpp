@@ -62,7 +62,7 @@ TEST(Judge, DetectsPolygonsThatTouchThemselves) {
   EXPECT_TRUE(touches_itself({{0, 0}, {4, 4}, {4, 0}, {0, 4}}));
 }
 
-TEST(ExactPairs, ArePartedByTheShortestTranslation) {
+TEST(ExactPairs, AreSeparatedByTheShortestTranslation) {
   const Polygon square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
   const Polygon aside{{92, 40}, {192, 40}, {192, 140}, {92, 140}};
   EXPECT_TRUE(separable_within(square, aside, 8));

@@ -1,6 +1,6 @@
-// What holds for every motion that is registered in tests/motions, on random markers and with random arguments: the
-// judge, which shares no code with the core's proofs, finds the answer valid and nothing changed that the motion may
-// not change; and the answer depends neither on the cache nor on the number of threads.
+// Laws for every motion that is registered in tests/motions, on random markers and with random arguments.  The judge,
+// which shares no code with the core's proofs, finds that the answer is valid and that the motion changed only what it
+// may change.  The answer depends neither on the cache nor on the number of threads.
 #include <gtest/gtest.h>
 
 #include <string>

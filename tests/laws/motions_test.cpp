@@ -29,7 +29,7 @@ using test::kSlowdown;
 using test::Random;
 using test::random_settings;
 
-// The law that the motion broke; empty when it broke none.
+// The law that the motion violated; empty when it violated none.
 std::string broken_law(const Marker& before, const Marker& after, bool may_lengthen = false) {
   if (!is_valid(after)) return "not valid";
   if (!may_lengthen && length_of(after) > length_of(before)) return "longer";
@@ -177,7 +177,7 @@ TEST(MotionLaws, OpeningAGap) {
   EXPECT_GT(larger, trials / 4);
 }
 
-// Empty when every piece but this one is as it was.
+// Empty when no piece except this one has changed.
 std::string others_moved(const Marker& before, const Marker& after, PieceId piece) {
   for (std::size_t k = 0; k < before.pieces.size(); ++k) {
     if (k != piece.value && after.pieces[k] != before.pieces[k]) return "piece " + std::to_string(k) + " moved";
@@ -233,7 +233,7 @@ TEST(MotionLaws, Relaxing) {
   }
 }
 
-// What tilting may change: places and tilts, tilts within the limit.
+// What tilting may change: positions, and tilts within the limit.
 std::string broken_tilt_law(const Marker& before, const Marker& after, Angle limit) {
   if (!is_valid(after)) return "not valid";
   if (length_of(after) > length_of(before)) return "longer";

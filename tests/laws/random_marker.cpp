@@ -93,14 +93,14 @@ bool has_side_at(const Polygon& outline, Coord height) {
   return false;
 }
 
-// Gives zones and pieces a quality so that pieces accept those zones, and no others, that they may lie over.
+// Gives zones and pieces qualities, so that pieces accept exactly the zones that they are allowed to cover.
 void add_qualities(Random& random, Marker& marker) {
   for (Piece& piece : marker.pieces) {
     if (random.chance(50)) piece.rules.quality = static_cast<marker::Quality>(random.between(1, 3));
   }
 }
 
-// Lays some pieces onto zones that they accept.
+// Places some pieces on zones that they accept.
 void cover_zones(Random& random, Marker& marker) {
   for (Piece& zone : marker.pieces) {
     if (!zone.rules.zone || !zone.rules.quality || random.chance(40)) continue;
@@ -116,7 +116,7 @@ void cover_zones(Random& random, Marker& marker) {
   }
 }
 
-// Rules that the piece keeps where it lies.
+// Random rules that the piece satisfies where it lies.
 marker::Rules random_rules(Random& random, const Box& box, Coord width, Coord extent) {
   marker::Rules rules;
   if (random.chance(20)) rules.below = random.between(0, box.low.y);
@@ -126,7 +126,7 @@ marker::Rules random_rules(Random& random, const Box& box, Coord width, Coord ex
   return rules;
 }
 
-// A pattern of the cloth, and a match point for some of the pieces that keeps it where they lie.
+// A pattern of the cloth, and for some of the pieces a match point that fits the pattern where they lie.
 void match_to_cloth(Random& random, Marker& marker) {
   marker::Repeat& repeat = marker.strip.repeat;
   const Coord width = marker.strip.width;
@@ -142,7 +142,7 @@ void match_to_cloth(Random& random, Marker& marker) {
     piece.rules.match = symmetry.inverse().apply(begins + free - piece.at);
   }
   if (random.chance(50)) return;
-  // Some or all of them to each other instead; when it is all, they may lie at any phase.
+  // Some or all of them are matched to each other instead; if all are, they may lie at any phase.
   const bool all = random.chance(50);
   for (Piece& piece : marker.pieces) {
     if (piece.rules.match && (all || random.chance(60))) piece.rules.match_set = random.chance(50) ? "A" : "B";
@@ -190,7 +190,7 @@ Marker random_marker_with_rules(Random& random) {
     if (piece.rules.zone) continue;
     Polygon outline = placed_outline(marker, PieceId{i});
     Box box = box_of(outline);
-    // The lowest pieces lie there alone: below them is nothing but cloth.
+    // There is nothing but cloth below the lowest pieces, so they may lie on the fold.
     const bool below = box.low.y < box.height() / 8 && has_side_at(outline, box.low.y) && random.chance(60);
     // So do the highest ones, on the upper fold of a tube.
     const Coord spare = marker.strip.width - box.high.y;

@@ -1,4 +1,4 @@
-// What motions are given in tests: random arguments for the laws and the soak, and fixed ones for one round.
+// The arguments of motions in tests: random ones for the laws and the soak, and fixed ones for one round.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Every motion of the core as tests know it.  A motion is registered once, in a source of this folder and in the list
-// of motion_cases.cpp; from there
+// Every motion of the core, as registered for tests.  A motion is registered once, in a source of this folder and in
+// the list of motion_cases.cpp; from there
 //   - the laws (tests/laws) and the soak (tests/soak) run it with random arguments, and the judge checks its answers;
 //   - the size of its linear programs is pinned (tests/pins) and measured (bench/measure).
 #pragma once
@@ -20,7 +20,7 @@
 
 namespace selvage::test {
 
-// What a motion is given besides the marker; it draws its own arguments at random.
+// What a motion gets in addition to the marker; it draws its own arguments at random.
 struct Occasion {
   Random& random;
   const scene::Run& run;
@@ -43,7 +43,7 @@ inline constexpr std::size_t kAnySize = std::numeric_limits<std::size_t>::max();
 // "whole" marks the naive model, which contains every piece, pair and row.
 struct OneRound {
   const char* motion;
-  std::size_t pieces;  // of markers with more it takes too long to be waited for
+  std::size_t pieces;  // with more pieces it takes too long
   void (*run)(const Marker& marker, const scene::Run& run);
 };
 

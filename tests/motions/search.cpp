@@ -62,14 +62,14 @@ Result<Answer> packing_shortest(const Marker& start, const Occasion& on) {
   settings.turns = on.random.chance(50);
   packing::Packing done = pack(start, settings, on.run);
   std::string contradiction;
-  if (done.found && done.bound > done.length_after) contradiction = "reports a bound that its own marker breaks";
+  if (done.found && done.bound > done.length_after) contradiction = "reports a bound that its own marker violates";
   if (!done.found && done.proved && is_valid(start)) contradiction = "proves a valid marker impossible";
   Answer checked = *answer(Result<packing::Packing>{std::move(done)}, {.turns = true, .flips = true});
   if (!contradiction.empty()) checked.contradiction = contradiction;
   return checked;
 }
 
-// Some pieces lose their positions: there is room for them in the marker as it was.
+// Takes some pieces off the cloth.  There is room for them where they lay.
 Result<Answer> refitting(const Marker& start, const Occasion& on) {
   std::vector<PieceId> pieces;
   for (std::size_t k = 1 + on.random.below(4); k > 0; --k) pieces.push_back(any_piece(on.random, start));
@@ -122,7 +122,7 @@ remake::RemakeSettings little_effort(Random& random) {
   return settings;
 }
 
-// The stored marker is the marker itself, or lacks a piece: then there is one for which no place is known.
+// The stored marker is the marker itself, or it lacks a piece, so that there is one piece without a known position.
 Result<Answer> remaking(const Marker& start, const Occasion& on) {
   const Marker order = freed(start);
   Marker stored = order;

@@ -36,7 +36,7 @@ Result<Answer> separation(const Marker& start, const Occasion& on) {
   const auto longest = std::ceil((1 + settings.grow) * static_cast<double>(done->length_before));
   Answer answer{.marker = std::move(done->marker), .leave = {.longest = static_cast<Coord>(longest)}};
   answer.apart = done->apart;
-  // Pieces that do not overlap may still break a rule of the cloth: the judge sees whether they do.
+  // Pieces that do not overlap may still violate a rule of the cloth; the judge checks that.
   if (done->apart && !done->remaining.empty()) answer.contradiction = "reports success although overlaps remain";
   if (done->length_after != length_of(answer.marker)) answer.contradiction = "reports a wrong length";
   answer.started = std::move(overlapping);

@@ -1,5 +1,5 @@
-// What the accuracy presets reach on the garment markers, and what that takes: lengths and programs are the same on
-// every machine (docs/measurements/trade.md, growth.md).
+// The lengths that the accuracy presets reach on the garment markers, and the number of programs that they need, both
+// of which are the same on every machine (docs/measurements/trade.md, growth.md).
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -17,7 +17,7 @@ namespace {
 
 using motion::compaction::Accuracy;
 
-// What a compaction comes to.
+// The figures of a compaction.
 struct Come {
   double ratio{};  // length after / before
   int programs{};
@@ -57,7 +57,7 @@ TEST_P(GarmentPresets, ReachTheirLengthsInAsManyPrograms) {
   const Come standard = compacted(marker, Accuracy::kStandard);
   expect_pinned_at(std::string{GetParam()} + "/draft", draft);
   expect_pinned_at(std::string{GetParam()} + "/standard", standard);
-  EXPECT_LE(draft.ratio, 1.002 * standard.ratio);  // what draft is for
+  EXPECT_LE(draft.ratio, 1.002 * standard.ratio);  // the purpose of draft
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GarmentPresets, kGarments, garment_name);

@@ -1,4 +1,4 @@
-// How large the linear programs of motions are, and how many sums they ask for: only what the scene requires.
+// The size of the linear programs of motions, and the number of sums that they request: only what the scene requires.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -20,7 +20,7 @@ class ProgramSizes : public ::testing::TestWithParam<std::size_t> {
 
 TEST_P(ProgramSizes, AreOnlyWhatTheSceneRequires) {
   for (const OneRound& round : one_round_of_each()) {
-    if (std::string{round.motion}.ends_with("whole")) continue;  // measured against, no motion of ours
+    if (std::string{round.motion}.ends_with("whole")) continue;  // a baseline for comparison, not one of our motions
     const auto [programs, largest, sums] = work_of(round, marker_);
     const auto expect = [&](const char* figure, auto measured) {
       const std::string key = std::string{round.motion} + "/" + std::to_string(GetParam()) + "/" + figure;

@@ -9,8 +9,8 @@
 
 namespace selvage::test {
 
-// REQUIRES: "" or a pointer whose arrays have the elements that it names, or one fewer.  A field or element that is
-// missing is made.
+// REQUIRES:  "" or a pointer whose arrays have the elements that it names, or one fewer.  A missing field or element is
+// created.
 inline Json& json_at(Json& document, std::string_view pointer) {
   Json* at = &document;
   while (!pointer.empty()) {

@@ -22,7 +22,7 @@ std::string bytes_of(const std::string& path) {
   return bytes.str();
 }
 
-// What a client can see of the store's content: by marker its document, then the documents that undo leads back to, and
+// The content of the store as a client sees it: the document of each marker, the documents that undo leads back to, and
 // the answers to retries.
 struct Content {
   std::vector<std::string> markers;
@@ -89,7 +89,7 @@ struct Counts {
   std::size_t same{}, refused{}, quarantined{}, reported{};
 };
 
-// Starts a daemon on the damaged store.  It must be the same as before, or say what is damaged.
+// Starts a daemon on the damaged store.  It must serve the same content as before, or report the damage.
 void judge(const std::string& store, const Content& sound, const std::string& what, Counts& counts, Faults& faults) {
   std::optional<LiveDaemon> daemon;
   try {

@@ -21,7 +21,7 @@ constexpr std::size_t kWorkers = 2;
 
 using Clock = std::chrono::steady_clock;
 
-// A connection with a marker of its own, and a call of it that has not been answered.
+// A connection with its own marker and an unanswered call.
 struct Asker {
   Caller caller;
   std::string marker_id;
@@ -44,7 +44,7 @@ Askers askers(std::size_t count, const LiveDaemon& daemon, const std::string& na
   return all;
 }
 
-// Reads an answer to each and prints when they came.
+// Reads the answers and prints when they arrived.
 void collect(const char* what, Askers& all, Faults& faults) {
   Latencies times;
   std::size_t results{};

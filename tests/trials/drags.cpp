@@ -20,7 +20,7 @@ namespace {
 using test::Random;
 
 constexpr std::size_t kDraggers = 32;
-constexpr std::size_t kMarkers = 24;  // some are used by two clients, of which one ends its drag too late
+constexpr std::size_t kMarkers = 24;  // some are used by two clients, one of which ends its drag too late
 constexpr std::size_t kReaders = 2;
 constexpr double kReadGoalMs = 20;
 constexpr int kCancelled = -32800, kMoved = -32801, kSuperseded = -32802;

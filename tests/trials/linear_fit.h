@@ -1,4 +1,4 @@
-// The straight line through points that leaves the least squares.
+// The least-squares line through points.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ struct Sample {
 
 struct LinearFit {
   double slope{};
-  double error{};  // the slope's standard error, were the samples independent
+  double error{};  // the slope's standard error, assuming independent samples
 };
 
 [[nodiscard]] inline LinearFit linear_fit(const std::vector<Sample>& samples) {

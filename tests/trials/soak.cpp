@@ -47,7 +47,7 @@ class Shown {
   std::string id_;
 };
 
-// What a client does from connecting to disconnecting.
+// The actions of a client from connecting to disconnecting.
 class Life {
  public:
   Life(const LiveDaemon& daemon, Random& random, Shown& shown, Tally& tally, Faults& faults)
@@ -207,7 +207,7 @@ void live_on(const std::stop_token& stop, const LiveDaemon& daemon, std::uint64_
   }
 }
 
-// The number of open descriptors after those that are closing have been closed.
+// The number of open descriptors after connections that are being closed have been closed.
 std::size_t settled_descriptors(const LiveDaemon& daemon, std::size_t wanted) {
   std::size_t found{};
   for (int tries = 0; tries < 100; ++tries) {

@@ -18,7 +18,8 @@ void malformed(std::size_t count, Faults& faults);
 // 64 clients that open, edit, undo, drag, compact, watch, close and reconnect, for `seconds`.
 void soak(std::size_t seconds, Faults& faults);
 
-// 500 connections that send a byte now and then and 50 that hardly read, alternating with none of them, `rounds` times.
+// 500 connections that send a byte now and then and 50 that hardly read, alternating with rounds without them, `rounds`
+// times.
 void slow(std::size_t rounds, Faults& faults);
 
 // `count` compactions with a deadline of 200 ms while every worker compacts for long, and as many bumps behind one of
@@ -29,11 +30,11 @@ void deadlines(std::size_t count, Faults& faults);
 // content or names what is damaged.
 void damage(std::size_t count, Faults& faults);
 
-// Clients that try to make a daemon of 512 MiB grow beyond that, in every way that there is and then in all of them at
-// once, each `rounds` times; meanwhile another client reads.
+// Clients that try to make a daemon of 512 MiB grow beyond that, first in every known way and then in all ways at once,
+// each `rounds` times.  Meanwhile another client reads.
 void memory(std::size_t rounds, Faults& faults);
 
-// A start on a store of `count` markers of 120 pieces.
+// The start of a daemon with a store of `count` markers of 120 pieces.
 void loading(std::size_t count, Faults& faults);
 
 }  // namespace selvage::trials

@@ -1,5 +1,5 @@
-// Connections that break at the worst moment.  The server is part of the test and sends only the answers that the test
-// tells it to send.
+// Connections that break at the worst moment.  The server is a part of the test and sends only the answers that the
+// test chooses.
 #include <gtest/gtest.h>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>

@@ -1,4 +1,4 @@
-// The engine inside a program answers what a daemon answers, byte for byte.
+// The engine embedded in a program gives the same answers as a daemon, byte for byte.
 #include "clients/engine/engine.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ server::app::Options without_sockets() {
   return options;
 }
 
-// Whether a program can make the call and a daemon answers it alike: no connection, no retries, no account of itself.
+// Whether a program can make the call and the daemon's answer is the same.  This excludes calls about connections,
+// retries and the daemon itself.
 bool is_comparable(const Json& request) {
   if (!request.is_object() || !request.contains("method") || !request["method"].is_string()) return false;
   const std::string method = request["method"].get<std::string>();
@@ -105,7 +106,7 @@ TEST(Engine, ChangesNothingWhenTheCallerStopsTheCall) {
   EXPECT_EQ(result(engine, "marker.check", {{"markerId", "m1"}})["revision"], 1);
 }
 
-TEST(Engine, SaysWhatNeedsADaemon) {
+TEST(Engine, RefusesCallsThatNeedADaemon) {
   Engine engine{1};
   (void)result(engine, "marker.open", {{"marker", garment("jeans_02g")}});
   const Json refused = Json::parse(answer(engine, call_json("marker.watch", {{"markerId", "m1"}})));

@@ -1,4 +1,4 @@
-// Tests of executors and of gathered(): parts run as promised, and results are in the order of the parts.
+// Tests of executors and of gathered(): parts run as specified, and results are in the order of the parts.
 #include "core/base/executor.h"
 
 #include <gtest/gtest.h>

@@ -103,7 +103,7 @@ RC_GTEST_PROP(Oriented, FlipsThenRotatesThenTilts, ()) {
   Random random{*rc::gen::arbitrary<std::uint64_t>()};
   const Polygon polygon = random_star(random, 12, 1'000'000'000);
   const Polygon image = oriented(polygon, {flip, Angle::of_degrees(rotation), Angle::of_degrees(tilt)});
-  RC_ASSERT(image.size() == polygon.size());  // it is so large that rounding makes no vertices collinear
+  RC_ASSERT(image.size() == polygon.size());  // so large that rounding does not make vertices collinear
   RC_ASSERT(doubled_area(image) > 0);
   const double radians = (rotation + tilt) * std::acos(-1.0) / 180.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -70,7 +70,7 @@ TEST(SeparatingTranslation, IsFoundWhereverTheExactSumLeavesRoom) {
       const Vec at = {random.between(-90 * factor, 90 * factor), random.between(-90 * factor, 90 * factor)};
       if (!interiors_meet(p, moved(q, at))) continue;
       const double depth = depth_of(sum, at);
-      // Just enough, or just too little: a hundredth of a unit of the small polygon either way.
+      // Just enough room, or just too little, by a hundredth of a unit of the small polygon.
       const bool enough = random.chance(50);
       const auto distance = static_cast<Coord>(depth * (enough ? 1.01 : 0.99));
       const auto by = separating_translation(placed(p), placed(q, at), distance);
@@ -78,7 +78,7 @@ TEST(SeparatingTranslation, IsFoundWhereverTheExactSumLeavesRoom) {
         ASSERT_TRUE(by) << text_of(p) << "\n" << text_of(q) << "\n" << at.x << ", " << at.y << ": " << depth;
       }
       const auto back = separating_translation(placed(q, at), placed(p), distance);
-      ASSERT_EQ(back, by ? std::optional{-*by} : std::nullopt) << "whichever is named first";
+      ASSERT_EQ(back, by ? std::optional{-*by} : std::nullopt) << "whichever polygon comes first";
       ++(by ? separated : refused);
       if (!by) continue;
       ASSERT_LE(dot(*by, *by), static_cast<Wide>(distance) * distance);
@@ -86,7 +86,7 @@ TEST(SeparatingTranslation, IsFoundWhereverTheExactSumLeavesRoom) {
     }
   }
   EXPECT_GT(separated, 100 / kSlowdown);
-  EXPECT_GT(refused, 100 / kSlowdown);  // a slot as wide as what fits it is no part of CGAL's boundary
+  EXPECT_GT(refused, 100 / kSlowdown);  // a slot that its piece fits exactly is not part of CGAL's boundary
 }
 
 }  // namespace

@@ -108,8 +108,8 @@ const std::vector<Case>& catalogue() {
        {kFree, kFree},
        {{{{1, 1}}, 1}, {{{1, -1}}, 0}},
        LpStatus::kInfeasible},
-      // The cosine of a right angle, which is rounding noise.  Clp's scaling takes it for the scale of its row and then
-      // accepts -0.914 as optimal.
+      // The cosine of a right angle, which is rounding noise.  Clp takes it as the scale of its row and then accepts
+      // -0.914 as optimal.
       {"rounding_noise_in_a_row",
        {0, 0, -1},
        {-1, -1, -kFree},

@@ -64,7 +64,7 @@ TEST(Conflicts, WithTheStripAreNeverAllowed) {
   EXPECT_FALSE(all_clear(marker::PlacedPieces{marker}, marker.strip));
 }
 
-// Whether a conflict of the pieces has exactly one or, with `both`, at least one of these.
+// Whether exactly one of these pieces or, with `both`, at least one of them has the conflict.
 bool conflict_of(const marker::PlacedPieces& pieces, const std::vector<bool>& of, bool both) {
   const auto found = conflicts(pieces);
   return std::any_of(found.begin(), found.end(), [&](const marker::PiecePair& pair) {
@@ -100,7 +100,7 @@ TEST(Clearance, OfChangedPiecesIsThatOfTheirPairs) {
   for (int trial = 0; trial < 300 / kSlowdown; ++trial) {
     const marker::PlacedPieces pieces{random_spaced_layout(random)};
     std::vector<bool> is_changed(pieces.size());
-    std::vector<std::uint32_t> changed;  // few of them are looked for one by one, many by a sweep
+    std::vector<std::uint32_t> changed;  // few of them are searched one by one, many by a sweep
     const std::size_t percent = random.chance(50) ? 10 : 95;
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       if (!random.chance(static_cast<int>(percent))) continue;

@@ -1,4 +1,4 @@
-// Random polygons thrown on a strip: some overlap, some leave the strip.
+// Random polygons at random positions on a strip: some overlap, some leave the strip.
 #pragma once
 
 #include "tests/core/marker/squares.h"

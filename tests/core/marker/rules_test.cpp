@@ -1,4 +1,4 @@
-// Cloth's rules: the rooms that they leave, what proves that they are kept, and what make_marker refuses.
+// Cloth's rules: the rooms that they leave, the proof that they are kept, and what make_marker refuses.
 #include "core/marker/rules.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ bool is_kept(const Marker& marker) {
 }
 
 // Squares of side 10 in a strip 100 wide.
-TEST(Rooms, AreTheStripsWithoutRules) {
+TEST(Rooms, WithoutRulesAreThoseOfTheStrip) {
   const Marker marker = squares({{0, 0}, {50, 90}});
   EXPECT_FALSE(marker::rooms_of(marker));
   EXPECT_EQ(marker::PlacedPieces{marker}.room(1, marker.strip, 60), (Box{{0, 0}, {60, 100}}));
@@ -84,7 +84,7 @@ TEST(Rooms, PiecesOfAShadeLieWithinItsLength) {
   EXPECT_TRUE(is_kept(marker));
 }
 
-TEST(Rooms, AmongTheOthersOfItsShadeAPieceReachesAsFarAsTheShade) {
+TEST(Rooms, APieceMayLieWhereverItsShadeIsNotTooLong) {
   Marker marker = squares({{30, 0}, {40, 20}, {60, 40}});
   marker.shade = 50;
   for (Piece& piece : marker.pieces) piece.rules.shade = "A";
@@ -107,8 +107,8 @@ TEST(Rooms, ChecksNameTheShadeThatIsTooLong) {
   EXPECT_FALSE(is_valid(marker));
 }
 
-// What is proved again after an edit: a rule that becomes stricter concerns pieces that did not move.
-TEST(Rooms, FiguresAfterAnEditSeeStricterRules) {
+// What is proved again after an edit: a stricter rule also concerns pieces that did not move.
+TEST(Rooms, FiguresAfterAnEditRespectStricterRules) {
   Marker before = squares({{0, 0}, {40, 0}});
   before.overlap = 3;
   before.shade = 50;
@@ -127,7 +127,7 @@ TEST(Rooms, FiguresAfterAnEditSeeStricterRules) {
   EXPECT_FALSE(valid_after(after));
 }
 
-TEST(Rooms, FiguresAfterAnEditSeeASmallerOverlapAllowance) {
+TEST(Rooms, FiguresAfterAnEditRespectASmallerOverlapAllowance) {
   Marker before = squares({{0, 0}, {8, 0}});
   before.overlap = 2;
   const marker::PlacedPieces pieces{before};
@@ -140,7 +140,7 @@ TEST(Rooms, FiguresAfterAnEditSeeASmallerOverlapAllowance) {
   EXPECT_FALSE(figures_after(before, pieces, after).valid);
 }
 
-// The field that make_marker blames; "" when it accepts the marker.
+// The field of make_marker's error; "" when it accepts the marker.
 std::string blamed(const Marker& marker) {
   const auto made = make_marker(marker);
   return made ? "" : made.error().field;
@@ -207,7 +207,7 @@ TEST(Rooms, AMatchedPieceStaysInItsRepeat) {
   EXPECT_EQ(marker::protrusion_of(marker::PlacedPieces{marker}, 0, marker.strip), 3);
 }
 
-TEST(Rooms, WhatIsNoWholeRepeatIsTheWayToTheNearest) {
+TEST(Rooms, PhaseErrorIsTheDistanceToTheNearestRepeat) {
   const marker::Repeat stripes{.along = 7};
   for (const auto& [way, off] : {std::pair{0, 0}, {7, 0}, {-14, 0}, {8, 1}, {10, 3}, {11, -3}, {-1, -1}, {-4, 3}})
     EXPECT_EQ(off_repeat({way, 5}, stripes), (Vec{off, 0})) << way;
@@ -296,7 +296,7 @@ Marker with_zones() {
   return *make_marker(std::move(marker));
 }
 
-TEST(Zones, CountNeitherAsPiecesNorInLengthAndUtilisation) {
+TEST(Zones, AreNotCountedAsPiecesNorInLengthAndUtilisation) {
   const Marker marker = with_zones();
   EXPECT_EQ(piece_count(marker), 1U);
   EXPECT_EQ(length_of(marker), 30);
@@ -319,7 +319,7 @@ TEST(Zones, MayLieAnywhereAndOverEachOtherButUnderNoPiece) {
   EXPECT_TRUE(is_valid(marker));
 }
 
-TEST(Zones, KeepNoDistanceAndAllowNoOverlap) {
+TEST(Zones, NeedNoSpacingAndAllowNoOverlap) {
   Marker marker = with_zones();
   marker.spacing = 3;
   marker.pieces[0].buffer = 4;
@@ -331,7 +331,7 @@ TEST(Zones, KeepNoDistanceAndAllowNoOverlap) {
   EXPECT_FALSE(is_valid(marker));
 }
 
-TEST(Zones, FiguresAfterAnEditSeeAZoneThatHasMovedOrIsNew) {
+TEST(Zones, FiguresAfterAnEditRespectZonesThatAreNewOrHaveMoved) {
   const Marker before = with_zones();
   const marker::PlacedPieces pieces{before};
   const auto valid_after = [&](const Marker& after) { return figures_after(before, pieces, after).valid; };
@@ -345,7 +345,7 @@ TEST(Zones, FiguresAfterAnEditSeeAZoneThatHasMovedOrIsNew) {
   EXPECT_FALSE(valid_after(after));
 }
 
-TEST(Zones, HaveNothingElseThatPiecesHave) {
+TEST(Zones, RefuseOtherPropertiesOfPieces) {
   const auto with = [](auto change) {
     Marker marker = with_zones();
     change(marker.pieces[1]);
@@ -366,7 +366,7 @@ TEST(Zones, HaveNothingElseThatPiecesHave) {
   EXPECT_EQ(blamed(nothing_else), "/pieces");
 }
 
-TEST(Zones, OfAQualityHoldAllPiecesThatAcceptIt) {
+TEST(Zones, WithAQualityMayBeCoveredByPiecesThatAcceptIt) {
   Marker marker = with_zones();
   marker.pieces[0].at.x = 25;
   const auto valid = [&marker](std::optional<marker::Quality> zone, std::optional<marker::Quality> piece) {
@@ -381,10 +381,10 @@ TEST(Zones, OfAQualityHoldAllPiecesThatAcceptIt) {
   EXPECT_TRUE(valid(1, 2));
   EXPECT_FALSE(valid(3, 2));
   EXPECT_FALSE(valid(1, std::nullopt)) << "a piece accepts only the best cloth unless it says more";
-  EXPECT_FALSE(valid(std::nullopt, marker::kWorstQuality)) << "nobody accepts a zone without a quality";
+  EXPECT_FALSE(valid(std::nullopt, marker::kWorstQuality)) << "no piece accepts a zone without a quality";
 }
 
-TEST(Zones, OfSeveralQualitiesAreEachAccepted) {
+TEST(Zones, OfEachAcceptedQualityMayBeCovered) {
   Marker marker = with_zones();
   marker.pieces[0].at.x = 30;  // on both zones
   marker.pieces[0].rules.quality = 1;
@@ -396,7 +396,7 @@ TEST(Zones, OfSeveralQualitiesAreEachAccepted) {
   EXPECT_TRUE(is_valid(marker));
 }
 
-TEST(Zones, HaveAQualityWorseThanThatOfTheOtherCloth) {
+TEST(Zones, MustHaveAQualityWorseThanTheRestOfTheCloth) {
   const auto with = [](std::uint32_t piece, marker::Quality quality) {
     Marker marker = with_zones();
     marker.pieces[piece].rules.quality = quality;

@@ -38,7 +38,7 @@ TEST(SymmetricDifference, AgreesWithCgal) {
   }
 }
 
-TEST(BestAlignment, PutsATranslateBack) {
+TEST(BestAlignment, UndoesATranslation) {
   test::Random random{7};
   for (int trial = 0; trial < 50; ++trial) {
     const Polygon outline = test::random_polygon(random, 50'000);

@@ -34,8 +34,8 @@ TEST(Fits, AreSortedByCostAndHaveEveryOrientation) {
   }
 }
 
-// A piece in its own slot differs by nothing, however it is tilted, and takes the tilt over where it may.
-TEST(Fits, TiltsAreTakenOverAndCostNothing) {
+// A piece does not differ from its own slot, however that is tilted, and adopts the tilt if allowed.
+TEST(Fits, TiltsAreAdoptedAtNoCost) {
   Marker marker = test::garment("jeans_02g");
   const std::vector<Slot> slots = tilted_slots_of(marker, Angle{0.5});
   for (const double limit : {1.0, 0.25}) {

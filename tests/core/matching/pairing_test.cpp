@@ -36,7 +36,7 @@ TEST(Pairing, OfAMarkersOwnPiecesHasNoDifference) {
   }
 }
 
-TEST(Pairing, LeavesPiecesOverThatAreLikeNoSlot) {
+TEST(Pairing, LeavesOutPiecesThatMatchNoSlot) {
   Marker order = test::garment("jeans_02g");
   std::vector<Slot> slots = slots_of(order);
   Shape long_bar;

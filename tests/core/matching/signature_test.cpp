@@ -46,7 +46,7 @@ TEST(Signature, RanksTheSameGarmentFirst) {
   EXPECT_EQ(nearest(order, stored, 10).size(), 3U);
 }
 
-TEST(Signature, FindsHalfOfTheBundlesAlmostAsNearAsAll) {
+TEST(Signature, RanksHalfOfTheBundlesAlmostAsHighAsAll) {
   const Marker marker = test::garment("jeans_02g");
   Marker twice = marker;
   for (Piece piece : marker.pieces) {

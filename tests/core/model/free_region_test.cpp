@@ -145,7 +145,7 @@ TEST_P(FreeRegion, OfAnAllowanceHoldsThePositionAndOnlyAllowedOverlaps) {
 }
 
 TEST_P(FreeRegion, OfAnAllowanceFollowsTheArcOfANotch) {
-  // A square pushed into the corner of an L, as deep as it may be: it can turn about the corner both ways.
+  // A square pushed as deep as allowed into the corner of an L: it can move around the corner in both directions.
   const auto notched = outline::make_outline({{0, 0}, {9000, 0}, {9000, 3000}, {3000, 3000}, {3000, 9000}, {0, 9000}});
   const auto square = outline::make_outline(test::rectangle(1000, 1000));
   SumCache sums;
@@ -169,7 +169,7 @@ TEST_P(FreeRegion, AtAConvexCornerOneSideIsEnough) {
   EXPECT_EQ(sides.size(), 1U);
 }
 
-TEST_P(FreeRegion, InANotchItIsTheNotch) {
+TEST_P(FreeRegion, InANotchIsTheNotchItself) {
   // A square in the notch of a cup: the cup's three inner sides.
   const auto cup =
       outline::make_outline({{0, 0}, {900, 0}, {900, 100}, {100, 100}, {100, 900}, {900, 900}, {900, 1000}, {0, 1000}});

@@ -9,7 +9,7 @@ namespace {
 
 const ModelUnit kUnit = ModelUnit::of(1);
 
-TEST(RowOf, AxisRowsAskForTheirSlackExactly) {
+TEST(RowOf, AxisRowsRequireTheirExactSlack) {
   const HalfPlane right_of{{100, 0}, {0, 50}};  // to the right of x = 100
   const PairRow row = row_of({0, 1}, side_at(right_of, {130, 7}, 0), kUnit, TightRows::kRestore);
   EXPECT_EQ(row.nx, 1);
@@ -27,7 +27,7 @@ TEST(RowOf, SlantedRowsKeepAMarginForRounding) {
   EXPECT_NEAR(row_of({0, 1}, side_at(slanted, {-8, -6}, 0), kUnit, TightRows::kKeep).bound, 11.4, 1e-6);
 }
 
-TEST(PairRows, LeaveOutWhatASmallMotionCannotBreak) {
+TEST(PairRows, OmitRowsThatASmallMotionCannotViolate) {
   SumCache sums;
   const auto square = sums.outline(test::rectangle(100, 100));
   const minkowski::Obstacle obstacle = sums.obstacle({square, {}}, {square, {}});

@@ -33,7 +33,7 @@ TEST(Snap, KeepsWholeDifferencesInSpiteOfSolverNoise) {
   }
 }
 
-TEST(Snap, LeavesWhatDoesNotMoveAndMovesLessThanAUnitFromTheTruth) {
+TEST(Snap, KeepsFixedPiecesAndRoundsOthersByLessThanAUnit) {
   std::mt19937 random{2};
   std::uniform_real_distribution<double> anywhere{-1e3, 1e3};
   std::vector<RealVec> moves{{0, 0}};

@@ -13,7 +13,7 @@ Marker pieces(std::size_t count) {
   return marker;
 }
 
-TEST(Ties, LeaveFreePiecesToThemselves) {
+TEST(Ties, DoNotTieFreePieces) {
   const Ties ties = ties_of(pieces(2));
   EXPECT_EQ(ties.x, (Numbers{0, 1}));
   EXPECT_TRUE(ties.free(0));
@@ -32,7 +32,7 @@ TEST(Ties, FixAPieceOnTheAxisItIsLockedOn) {
   EXPECT_TRUE(ties.fixed(1));
 }
 
-TEST(Ties, WhatOneOfAGroupIsLockedInAllAre) {
+TEST(Ties, ALockOfOnePieceAppliesToItsWholeGroup) {
   Marker marker = pieces(4);
   marker.pieces[0].group = marker.pieces[2].group = marker.pieces[3].group = "g";
   marker.pieces[3].locked = {false, true, false};
@@ -42,7 +42,7 @@ TEST(Ties, WhatOneOfAGroupIsLockedInAllAre) {
   EXPECT_TRUE(ties.joined(0, 3));
 }
 
-TEST(Ties, JoinWhatIsTiedToEither) {
+TEST(Ties, JoinPiecesThatAreTiedToEither) {
   Ties ties = ties_of(pieces(5));
   ties.join(1, 2);
   ties.join(3, 4);

@@ -1,4 +1,4 @@
-// What holds of every compaction, over random markers.
+// What must hold for every compaction, tested on random markers.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -17,7 +17,7 @@ Marker random_marker() {
   const int rows = *rc::gen::inRange(1, 4);
   const Coord radius = *rc::gen::element<Coord>(20, 1'000, 100'000, 10'000'000, 10'000'000'000);
   Marker marker = test::loose_marker(seed, columns, rows, 1000);
-  // The same marker at another scale: rounding shows at the smallest, wide products at the largest.
+  // The same marker at another scale: the smallest scales show rounding, the largest ones overflow of products.
   const auto scaled = [&](Coord c) { return c * radius / 1000; };
   for (Shape& shape : marker.shapes) {
     for (Vec& v : shape.outline) v = {scaled(v.x), scaled(v.y)};

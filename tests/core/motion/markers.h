@@ -18,7 +18,7 @@ inline Shape shape(std::string id, Polygon outline) {
   return made;
 }
 
-// A marker built up piece by piece; one lattice unit is a thousandth of a millimetre.
+// A marker that is built piece by piece; one lattice unit is a thousandth of a millimetre.
 class Layout {
  public:
   explicit Layout(Coord width) {

@@ -10,13 +10,13 @@ Budget budget(std::uint64_t moves, std::function<double()> elapsed = {}, std::st
   return {moves, std::move(elapsed), std::move(stop), 0.8, 100};
 }
 
-TEST(Budget, EndsAfterSoManyMoves) {
+TEST(Budget, EndsAtTheLimitOfMoves) {
   EXPECT_FALSE(budget(10).over(9));
   EXPECT_TRUE(budget(10).over(10));
   EXPECT_TRUE(budget(0).over(0));
 }
 
-TEST(Budget, EndsWhenStoppedOrWhenTheTimeIsUsedUp) {
+TEST(Budget, EndsWhenCancelledOrWhenTheTimeIsUsedUp) {
   std::stop_source stop;
   const Budget stoppable = budget(10, {}, stop.get_token());
   EXPECT_FALSE(stoppable.over(0));

@@ -32,7 +32,7 @@ struct Pair {
   }
 };
 
-// Two random shapes, which may take all eight exact orientations.
+// Two random shapes, which may have all eight exact orientations.
 Marker two_shapes(Random& random) {
   Marker marker = test::unplaced_pieces(
       {test::random_polygon(random, test::kSide), test::random_polygon(random, 2 * test::kSide)}, 2, kWidth);
@@ -63,7 +63,7 @@ TEST(DepthMap, IsZeroExactlyWhenPiecesAreApart) {
       const bool overlaps = geometry::overlap({first, box_of(first), {}}, {second, box_of(second), at});
       EXPECT_TRUE(depth <= 0.01F || overlaps) << "trial " << trial << ", depth " << depth;
       if (depth == 0 && overlaps) {
-        // Only by as little as floats cannot tell.
+        // They may differ only by what floats cannot resolve.
         bool apart = false;
         for (const Vec by : {Vec{20, 0}, Vec{-20, 0}, Vec{0, 20}, Vec{0, -20}}) {
           apart = apart || !geometry::overlap({first, box_of(first), {}}, {second, box_of(second), at + by});
@@ -96,7 +96,7 @@ TEST(DepthMap, IncludesTheClearance) {
   const MapView view = pair.maps.view(pair.turned(0, 0), pair.turned(1, 0));
   EXPECT_NEAR(view.depth(105, 0), 5, 1e-3);
   EXPECT_EQ(view.depth(110.01F, 0), 0);
-  EXPECT_NEAR(view.depth(106, 208), 0, 1e-3);  // beyond a corner the distance counts, not that along the axes
+  EXPECT_NEAR(view.depth(106, 208), 0, 1e-3);  // beyond a corner the Euclidean distance counts, not that along the axes
   EXPECT_NEAR(view.depth(103, 204), 5, 1e-3);
 }
 

@@ -51,7 +51,7 @@ struct Scattered {
   std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5};
 };
 
-TEST(Field, ItsLowestPlacesLoseWhatTheyPromise) {
+TEST(Field, ItsLowestPlacesHaveTheReportedLosses) {
   Random random{4};
   for (int trial = 0; trial < 20; ++trial) {
     Scattered scattered{random};

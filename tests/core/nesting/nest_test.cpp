@@ -1,4 +1,4 @@
-// Tests of core/nesting/nest.h: its laws on random markers, and what it does in corner cases.
+// Tests of core/nesting/nest.h: its laws on random markers, and corner cases.
 #include "core/nesting/nest.h"
 
 #include <gtest/gtest.h>
@@ -128,8 +128,8 @@ TEST(Nest, FillsAStripThatSquaresFillCompletely) {
   EXPECT_EQ(nesting.reason, scene::StopReason::kConverged);
 }
 
-TEST(Nest, TurnsTrianglesIntoEachOther) {
-  // Two of them make a square, which only half turns allow.
+TEST(Nest, InterlocksTrianglesByHalfTurns) {
+  // Two of them form a square, which requires rotation by 180 degrees.
   const Marker marker = unplaced_pieces({{{0, 0}, {500'000, 0}, {0, 500'000}}}, 8, kWidth);
   const Nesting nesting = nested(marker, settings_of(3'000));
   EXPECT_LE(nesting.length_after, kWidth + kWidth / 100);
@@ -144,7 +144,7 @@ TEST(Nest, WithoutABudgetPlacesAllPieces) {
   EXPECT_EQ(nesting.moves, 0u);
 }
 
-TEST(Nest, OfNothingIsNothing) {
+TEST(Nest, OfNoPiecesIsEmpty) {
   Marker marker = unplaced_pieces({rectangle(300'000, 200'000)}, 0, kWidth);
   SumCache sums;
   const auto empty = nest(marker, settings_of(100), {sums});
@@ -175,7 +175,7 @@ TEST(Nest, OfAsManyPiecesAsAMarkerMayHaveIsValid) {
   EXPECT_EQ(nesting.marker.pieces.size(), 20'000u);
 }
 
-// Triangles that half turns lay into each other, more than are searched at once.
+// Triangles that interlock when rotated by 180 degrees, more than are searched at once.
 Marker many_triangles(std::size_t pieces) {
   return unplaced_pieces({{{0, 0}, {80'000, 0}, {0, 60'000}}, rectangle(30'000, 20'000)}, pieces, kWidth);
 }
@@ -221,8 +221,8 @@ TEST(Nest, SolvesNoProgramThatIsLargerThanABatch) {
   EXPECT_LE(columns, 4 * (40 + 20) + 8);
 }
 
-// A program that has begun is the last one once the time is up, and few moves follow.
-TEST(Nest, EndsWithTheProgramInWhichTheTimeIsUp) {
+// When the time is up, the running program is the last one, and few moves follow.
+TEST(Nest, EndsWithTheProgramThatRunsAtTheTimeLimit) {
   for (const std::size_t pieces : {30U, 200U}) {
     for (const int last : {1, 3, 10}) {
       int programs = 0;
@@ -274,7 +274,7 @@ TEST(Nest, OfOutlinesWithTheMostVerticesIsValid) {
   EXPECT_EQ(nesting.marker.pieces.size(), 6u);
 }
 
-TEST(Nest, EndsSoonAfterItsTime) {
+TEST(Nest, EndsSoonAfterItsTimeLimit) {
   const Marker marker = unplaced_pieces({rectangle(30'000, 20'000), rectangle(13'000, 41'000)}, 400, kWidth);
   NestSettings settings = settings_of(1'000'000'000);
   int asked = 0;
@@ -302,7 +302,7 @@ TEST(Nest, KeepsTheBestWhenItIsCancelled) {
   EXPECT_TRUE(is_valid(nesting->marker));
 }
 
-TEST(Nest, ListsWhatTheClothHasNoRoomFor) {
+TEST(Nest, ListsPiecesForWhichTheClothHasNoRoom) {
   Marker marker = unplaced_pieces({rectangle(500'000, 500'000)}, 9, kWidth);
   marker.strip.longest = 1'200'000;
   const Nesting nesting = nested(marker, settings_of(500));
@@ -313,14 +313,14 @@ TEST(Nest, ListsWhatTheClothHasNoRoomFor) {
 }
 
 TEST(Nest, ChoosesThePiecesThatFillACloth) {
-  // Four large squares fill the cloth; the strips, which lie first in columns of boxes, do not.
+  // Four large squares fill the cloth.  The strips, which come first in columns of boxes, do not.
   Marker marker = unplaced_pieces({rectangle(500'000, 500'000), rectangle(900'000, 260'000)}, 8, kWidth);
   marker.strip.longest = kWidth;
   NestSettings settings = settings_of(2'000);
   const Nesting nesting = nested(marker, settings);
   EXPECT_TRUE(is_valid(nesting.marker));
   EXPECT_EQ(utilisation_of(nesting.marker), 1.0);
-  // Unless the strips are worth more.
+  // The strips are chosen if they have a higher value.
   for (const Piece& piece : marker.unplaced) settings.values[piece.id] = piece.shape.value == 0 ? 1 : 10;
   const Nesting strips = nested(marker, settings);
   EXPECT_TRUE(is_valid(strips.marker));
@@ -330,7 +330,7 @@ TEST(Nest, ChoosesThePiecesThatFillACloth) {
 }
 
 TEST(Nest, UsesOverlapAllowances) {
-  // Two pieces across fit the width only by their allowance.
+  // Two pieces next to each other fit the width only because of their allowance.
   Marker marker = unplaced_pieces({rectangle(300'000, 501'000)}, 8, kWidth);
   for (Shape& shape : marker.shapes) shape.rotations = {{0}};
   marker.overlap = 2'000;
@@ -387,7 +387,7 @@ TEST(Nest, InBatchesOfFewerPiecesThanUsualIsValid) {
   EXPECT_EQ(nesting.marker.pieces.size(), 300u);
 }
 
-// A rectangle that was drafted askew.
+// A rectangle whose drafted outline is rotated.
 Marker askew_rectangles(std::size_t pieces, const std::vector<Angle>& rotations) {
   Polygon outline = rectangle(900'000, 300'000);
   outline = geometry::turned(outline, Angle::of_degrees(10));
@@ -409,7 +409,7 @@ TEST(Nest, PiecesThatMayTurnFreelyReachAnyRotation) {
   EXPECT_GT(nested(marker, rigid).length_after, 950'000);
 }
 
-TEST(Nest, PiecesTiltWithinTheirLimitsAtLast) {
+TEST(Nest, PiecesAreTiltedWithinTheirLimitsAtTheEnd) {
   Marker marker = askew_rectangles(3, {{90}, {270}});
   const Coord rigid = nested(marker, settings_of(400)).length_after;
   marker.shapes[0].tilt_limit = Angle::of_degrees(4);
@@ -426,7 +426,7 @@ TEST(Nest, PiecesTiltWithinTheirLimitsAtLast) {
   }
 }
 
-TEST(Nest, FromScratchDoesNotKnowWherePiecesLay) {
+TEST(Nest, FromScratchIgnoresTheInputPositions) {
   Marker marker = unplaced_pieces({rectangle(400'000, 500'000)}, 4, kWidth);
   const Nesting first = nested(marker, settings_of(40));
   NestSettings scratch = settings_of(40);

@@ -1,4 +1,4 @@
-// Tests of core/nesting/layout: kinds, orientations, what may move, and the way to a marker and back.
+// Tests of core/nesting/layout: kinds, orientations, movable pieces, and conversion to a marker and back.
 #include "core/nesting/layout/piece_set.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +76,7 @@ TEST(PieceSet, LockedAndGroupedPiecesAreFixed) {
   EXPECT_EQ(held->fixed, (std::vector<bool>{true, true, true, true}));
 }
 
-// Rotations that are no multiples of 90 degrees, flips, tilts and locks survive the way to a layout and back.
+// Rotations other than multiples of 90 degrees, flips, tilts and locks survive conversion to a layout and back.
 TEST(Layout, IsTheMarkerUpToRounding) {
   test::Random random{1};
   for (int trial = 0; trial < 50; ++trial) {

@@ -1,4 +1,4 @@
-// Cloth's rules in nesting: every way to place pieces keeps them, and fails only where no layout is found.
+// Cloth's rules in nesting: every method of placing pieces keeps them, and fails only if no layout is found.
 #include "core/marker/rules.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Marker squares(std::size_t count) {
   return unplaced_pieces({rectangle(3 * kSide, 3 * kSide)}, count, kWidth);
 }
 
-// The rules of random markers can be kept, as the markers show; nearly always the search finds how.
+// The rules of random markers can be kept, because the markers keep them; the search nearly always finds a layout.
 TEST(RulesInNesting, RandomMarkersAreNestedAnew) {
   test::Random random{7};
   int trials = 0, found = 0;
@@ -53,7 +53,7 @@ TEST(RulesInNesting, RandomMarkersAreNestedAnew) {
 }
 
 TEST(RulesInNesting, FoldedPiecesLieOnTheFoldWithAFlatSide) {
-  // A roof that is flat on one side only; turned by 180 degrees it could not lie on the fold.
+  // A roof that is flat on one side only; rotated by 180 degrees it could not lie on the fold.
   Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}}}, 6, kWidth);
   marker.shapes[0].rotations = {{0}, {180}};
   marker.strip.below = 20'000;
@@ -126,7 +126,7 @@ TEST(RulesInNesting, MatchSetsKeepThePhaseOfAPieceThatIsLocked) {
   EXPECT_EQ(done->marker.pieces[1].rules, marker.unplaced[0].rules);  // as they were given
 }
 
-TEST(RulesInNesting, PiecesWithANapLieItsWay) {
+TEST(RulesInNesting, PiecesWithANapLieInItsDirection) {
   Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}, {0, kSide}}}, 8, kWidth);
   const auto nap_of = [](std::size_t i) { return i % 2 == 0 ? marker::Nap::kUp : marker::Nap::kDown; };
   for (std::size_t i = 0; i < 6; ++i) marker.unplaced[i].rules.nap = nap_of(i);
@@ -204,7 +204,7 @@ TEST(RulesInNesting, HalfPiecesLieOnBothFoldsOfATube) {
   EXPECT_LE(done->length_after, 13 * kSide) << "on one fold alone they would take 24 sides";
 }
 
-TEST(RulesInNesting, WhereTheClothEndsZonesStayOnIt) {
+TEST(RulesInNesting, ZonesStayOnShortCloth) {
   Marker marker = on_flawed_cloth(14);
   marker.strip.longest = 10 * kSide;
   const auto done = nested(marker, 3000);
@@ -215,7 +215,7 @@ TEST(RulesInNesting, WhereTheClothEndsZonesStayOnIt) {
   EXPECT_EQ(piece_count(done->marker) + done->left_over, 14u);
 }
 
-TEST(RulesInNesting, ZonesAreNoPartOfSheets) {
+TEST(RulesInNesting, ZonesAreNotPartOfSheets) {
   sheets::Sheet sheet;
   sheet.width = sheet.length = kWidth;
   SumCache sums;
@@ -242,7 +242,7 @@ TEST(RulesInNesting, APieceWiderThanItsRoomIsRefused) {
   EXPECT_EQ(done.error().field, "/unplaced/1");
 }
 
-TEST(RulesInNesting, WhereTheClothEndsThoseThatLieKeepThem) {
+TEST(RulesInNesting, OnShortClothPlacedPiecesKeepTheRules) {
   Marker marker = squares(14);
   marker.strip.longest = 10 * kSide;
   marker.shade = 4 * kSide;
@@ -256,7 +256,7 @@ TEST(RulesInNesting, WhereTheClothEndsThoseThatLieKeepThem) {
   EXPECT_EQ(done->marker.pieces.size() + done->left_over, 14u);
 }
 
-TEST(RulesInNesting, SheetsKeepThemToo) {
+TEST(RulesInNesting, SheetsKeepTheRules) {
   test::Random random{3};
   for (int trial = 0; trial < 12 / test::kSlowdown; ++trial) {
     Marker marker = test::random_marker_with_rules(random);

@@ -1,4 +1,4 @@
-// Tests of core/nesting/sheets: its laws on random pieces and sheets, and what it does in corner cases.
+// Tests of core/nesting/sheets: its laws on random pieces and sheets, and corner cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -115,7 +115,7 @@ TEST(Sheets, TakesTheSmallestSheetForTheRest) {
   EXPECT_TRUE(nesting.left_over.empty());
 }
 
-TEST(Sheets, ListsWhatThereIsNoRoomFor) {
+TEST(Sheets, ListsPiecesForWhichThereIsNoRoom) {
   Marker marker = unplaced_pieces({rectangle(600'000, 600'000), rectangle(1'200'000, 1'200'000)}, 6, kWidth);
   const SheetNesting nesting = laid(marker, {plain_sheet(kWidth, kWidth, 2)}, 500);
   EXPECT_EQ(nesting.layouts.size(), 2u);
@@ -123,7 +123,7 @@ TEST(Sheets, ListsWhatThereIsNoRoomFor) {
   for (const Piece& piece : nesting.left_over) EXPECT_EQ(piece.at, Vec{});
 }
 
-TEST(Sheets, PreferWhatIsWorthMore) {
+TEST(Sheets, PreferPiecesOfHigherValue) {
   // One large piece or one small piece fits, not both.
   const Marker marker = unplaced_pieces({rectangle(800'000, 800'000), rectangle(300'000, 900'000)}, 2, kWidth);
   SumCache sums;
@@ -133,7 +133,7 @@ TEST(Sheets, PreferWhatIsWorthMore) {
   const auto by_area = nest_on_sheets(marker, sheets, settings, {sums});
   ASSERT_TRUE(by_area);
   EXPECT_EQ(by_area->layouts[0].marker.pieces[0].id, "0");
-  // The large piece covers 6.4e11 square units, and is worth as much when it has no value.
+  // The large piece covers 6.4e11 square units, which is also its value if none is given.
   using Values = decltype(settings.values);
   for (const Values& values : {Values{{"0", 1.0}, {"1", 5.0}}, Values{{"1", 7e11}}}) {
     settings.values = values;
@@ -187,7 +187,7 @@ TEST(Sheets, KeepTheBestWhenTheyAreCancelled) {
   EXPECT_EQ(ids_of(*nesting), ids_of(marker));
 }
 
-TEST(Sheets, RefuseWhatTheyCannotUse) {
+TEST(Sheets, RefuseInvalidInput) {
   Marker marker = unplaced_pieces({rectangle(300'000, 200'000)}, 3, kWidth);
   SumCache sums;
   const SheetSettings settings;

@@ -1,4 +1,4 @@
-// Markers whose pieces wait to be nested.
+// Markers whose pieces have not been nested yet.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace selvage::test {
 
-// The marker with all its pieces taken off the cloth, but for those that are locked or grouped.
+// The marker with all its pieces taken off the cloth, except those that are locked or grouped.
 [[nodiscard]] inline Marker taken_off(Marker marker) {
   std::vector<Piece> placed;
   for (Piece& piece : marker.pieces) {
@@ -21,7 +21,8 @@ namespace selvage::test {
   return marker;
 }
 
-// So many unplaced pieces, of the given outlines in turn, on a strip of this width without an end.
+// A marker with this many unplaced pieces, which have the given outlines in turn, on a strip of this width and
+// unlimited length.
 [[nodiscard]] inline Marker unplaced_pieces(const std::vector<Polygon>& outlines, std::size_t pieces, Coord width) {
   Marker marker;
   marker.strip.width = width;

@@ -18,7 +18,7 @@ TEST(NarrowPart, IsANeckBetweenTwoWideParts) {
   EXPECT_TRUE(narrow_part(necked, 7));
 }
 
-TEST(NarrowPart, IsNoAcuteCornerAndNoSlot) {
+TEST(NarrowPart, IsNeitherAnAcuteCornerNorASlot) {
   EXPECT_FALSE(narrow_part({{0, 0}, {300, 0}, {300, 20}}, 10));
   const Polygon slotted{{0, 0}, {100, 0}, {100, 100}, {52, 100}, {52, 20}, {48, 20}, {48, 100}, {0, 100}};
   EXPECT_FALSE(narrow_part(slotted, 10));  // cloth lies on the other side of the edges

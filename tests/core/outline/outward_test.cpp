@@ -46,7 +46,7 @@ double farthest(const Polygon& polygon, const Polygon& from) {
   return most;
 }
 
-// The name of a law that is broken; empty when all laws hold.
+// The name of a law that is violated; empty when all laws hold.
 std::string broken_law(const Polygon& given, Coord tolerance) {
   const Polygon grown = outline::simplified_outward(given, tolerance);
   const auto clean = clean_polygon(grown);
@@ -77,7 +77,7 @@ TEST(Outward, SimplifiesKnownShapes) {
 TEST(Outward, KeepsANotchThatAnotherPartReachesInto) {
   const Polygon open{{0, 0}, {40, 0}, {50, 6}, {60, 0}, {80, 0}, {80, 100}, {0, 100}};
   EXPECT_EQ(outline::simplified_outward(open, 10).size(), 4U);
-  // The same shape with an arm that reaches round, so that its tip lies in the notch.
+  // The same shape with an arm that reaches around, so that its tip lies in the notch.
   const Polygon entered{{0, 0},  {40, 0},   {50, 6},  {60, 0},  {80, 0},    {80, -20},  {52, -20},
                         {50, 3}, {48, -20}, {0, -20}, {0, -40}, {120, -40}, {120, 100}, {0, 100}};
   ASSERT_TRUE(clean_polygon(entered));

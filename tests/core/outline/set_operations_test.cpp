@@ -19,7 +19,7 @@ Polygon square(Vec at, Coord side) {
   return {at, {at.x + side, at.y}, {at.x + side, at.y + side}, {at.x, at.y + side}};
 }
 
-TEST(Widened, GrowsOnTheSidesThatAreSaid) {
+TEST(Widened, GrowsOnTheGivenSides) {
   const auto widened = [](const Polygon& polygon, const Box& by) {
     return clean_polygon(outline::widened(polygon, by))->polygon;  // without vertices in the middle of its edges
   };

@@ -192,7 +192,7 @@ TEST(Pack, HoldsItsBestAnswerAtTheWorkLimit) {
 }
 
 // A search that is far from its end has a layout of a short nesting, not of pieces in a row.
-TEST(Pack, NestsWhatItCannotFinishSoon) {
+TEST(Pack, NestsInstancesThatItCannotFinishSoon) {
   test::Random random{4};
   std::vector<test::Squares> pieces;
   while (pieces.size() < 16) {

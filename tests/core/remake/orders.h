@@ -1,4 +1,4 @@
-// Orders for tests, made of a marker.
+// Orders for tests, made from a marker.
 #pragma once
 
 #include "core/marker/marker.h"

@@ -34,8 +34,9 @@ TEST(LaidOut, KnowsTheMarkersFigures) {
   EXPECT_FALSE(LaidOut(marker, sums).figures.valid);
 }
 
-// Motions from it are those from the marker, whether it is valid, is to be healed or is refused.
-TEST(LaidOut, LeadsToTheSameMotions) {
+// Motions from a laid-out marker are the same as those from the marker itself, whether it is valid, needs repair or is
+// refused.
+TEST(LaidOut, GivesTheSameMotions) {
   for (const Coord into : {0, 1, 900}) {
     Marker marker = loose_squares(8);
     marker.pieces[3].at.y -= 20'000 + into;
@@ -58,8 +59,8 @@ TEST(LaidOut, LeadsToTheSameMotions) {
   }
 }
 
-// However many pieces have moved, turned or want more room, and wherever it began.
-TEST(LaidOut, TellsTheFiguresOfWhatBecameOfIt) {
+// Its figures are correct however many pieces have moved, have been rotated or need more clearance.
+TEST(LaidOut, KnowsTheFiguresOfLaterMarkers) {
   SumCache sums;
   int valid = 0;
   for (const bool begins_valid : {true, false}) {

@@ -23,7 +23,7 @@ TEST(Effort, EndsAfterAThirdOfTheLeastWorkWhenNothingWasGained) {
   EXPECT_TRUE(effort.enough());
 }
 
-TEST(Effort, GoesOnWhileTheLastNineTenthsOfTheWorkHaveGained) {
+TEST(Effort, ContinuesWhileTheLastNineTenthsOfTheWorkHaveGained) {
   Effort effort{1'000, 1'000'000, kStart};
   effort.spend(150, kStart - 89);
   effort.spend(500, kStart - 100);  // more than a tenth of the gain, after a tenth of the work

@@ -48,8 +48,8 @@ TEST(Refine, IsNeverLongerThanStandard) {
   }
 }
 
-TEST(Refine, ExchangesWhatCompactionCannot) {
-  // Two tall bars, then two low ones: only in pairs of one tall and one low do they fill the strip's width.
+TEST(Refine, SwapsPiecesWhereCompactionCannot) {
+  // Two tall bars, then two low ones: they fill the strip's width only in pairs of one tall and one low bar.
   test::Layout layout{1000};
   const auto tall = layout.shape_of(test::rectangle(300, 650));
   const auto low = layout.shape_of(test::rectangle(300, 350));
@@ -67,7 +67,7 @@ TEST(Refine, ExchangesWhatCompactionCannot) {
 TEST(Refine, ShortensAGarmentMarkerBeyondStandard) {
   const Marker marker = test::garment("jeans_02g");
   const auto standard = static_cast<double>(standard_length(marker));
-  // What one seed finds in so short a time is luck.
+  // What a single seed finds in such a short time is a matter of luck.
   constexpr std::uint32_t kSeeds = 8;
   double sum = 0;
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
@@ -93,7 +93,7 @@ TEST(Refine, LeavesUnplacedPiecesUnplaced) {
   EXPECT_LT(result.length_after, standard_length(marker));
 }
 
-TEST(Refine, TiltsOnlyWhereItMay) {
+TEST(Refine, TiltsOnlyPiecesThatMayTilt) {
   Marker marker = test::garment("jeans_02g");
   const auto tilted = refined(marker, brief(0, true)).marker;
   const auto leans = [](const Piece& piece) { return piece.orientation.tilt != Angle{}; };
@@ -130,7 +130,7 @@ TEST(Refine, TurnsNoPieceWhoseTiltIsLocked) {
     return count;
   };
   int some = 0;
-  for (std::uint32_t seed = 1; seed <= 4; ++seed) {  // whether one seed turns a piece for good is luck
+  for (std::uint32_t seed = 1; seed <= 4; ++seed) {  // whether a single seed rotates a piece is a matter of luck
     RefineSettings settings = brief(20'000);
     settings.seed = seed;
     some += turned(refined(marker, settings).marker);
@@ -150,7 +150,7 @@ TEST(Refine, GivesTheSameAnswerWithAColdAndAWarmCache) {
   EXPECT_EQ(first->programs, second->programs);
 }
 
-TEST(Refine, AnswersWithTheBestSoFarWhenStopped) {
+TEST(Refine, ReturnsTheBestSoFarWhenCancelled) {
   const Marker marker = test::garment("jeans_02g");
   for (const int attempts : {1, 4, 9}) {
     std::stop_source source;

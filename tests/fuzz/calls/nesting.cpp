@@ -1,5 +1,5 @@
 // Fuzz target: the first byte chooses marker.nest or marker.nestSheets, the rest is the text of its parameters.  The
-// marker has a placed, a locked (for marker.nest) and several unplaced pieces, of which one may turn freely.
+// marker has a placed, a locked (for marker.nest) and several unplaced pieces, of which one may have any rotation.
 //
 // Every marker in an answer must be valid, and every piece must be in it once, placed or left over.
 #include <algorithm>

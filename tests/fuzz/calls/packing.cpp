@@ -1,7 +1,7 @@
 // Fuzz target: the first bytes choose an exact search and a marker, the rest is the text of the search's parameters.
 // The marker has a placed, a locked and two unplaced pieces.
 //
-// An answer must be valid, a bound must not be above the length, and nothing that is not found may move.
+// An answer must be valid, a bound must not exceed the length, and pieces may only move if a layout was found.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -17,7 +17,7 @@ namespace {
 constexpr std::array kMethods{"motion.pack", "motion.contain", "marker.fillGaps", "marker.compactExactly"};
 constexpr std::array kLimits{"nodes", "trials", "windows"};
 
-// Outlines of which some are not convex; all orientations that a shape may have.
+// Some outlines are not convex, and the shapes allow different sets of orientations.
 const MarkerFile& file() {
   static const MarkerFile kFile = *protocol::formats::read_marker(R"({
     "format": "selvage-marker", "version": 1, "strip": {"width": 60, "longest": 400},
@@ -31,7 +31,7 @@ const MarkerFile& file() {
   return kFile;
 }
 
-// The parameters with the search's limits lowered, as far as the method has them.
+// The parameters with lower limits for the search, as far as the method has such limits.
 Json limited(const protocol::calls::Method& method, Json params) {
   for (const char* limit : kLimits) {
     const bool had = params.contains(limit);

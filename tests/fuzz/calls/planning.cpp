@@ -1,6 +1,6 @@
 // Fuzz target: the text of the parameters of plan.cut, on a style of rectangles in two sizes.
 //
-// A plan must deliver what is ordered within its limits, and its bound must not be above its cost.
+// A plan must deliver the order within its limits, and its bound must not exceed its cost.
 #include <string>
 
 #include "protocol/calls/method.h"
@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   using namespace selvage;
   auto params = protocol::json::parse(std::string{bytes, bytes + size});
   if (!params || !params->is_object()) return 0;
-  // Less work than the parameters may ask for.
+  // Limits the work to less than the parameters may request.
   (*params)["markerId"] = "m1";
   (*params)["rounds"] = 1;
   (*params)["mostMade"] = 0;

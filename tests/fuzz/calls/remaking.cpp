@@ -1,8 +1,8 @@
-// Fuzz target: an order and a library.  The input is the text of marker.remake's parameters, whose "stored" are the
-// library, and beside them the "order".
+// Fuzz target: an order and a library.  The input is the text of marker.remake's parameters, in which "stored" is the
+// library, with the additional field "order".
 //
-// Whatever the order and the stored markers are, the answer is valid and has the order's pieces, or the marker stays as
-// it was.
+// For any order and stored markers, the answer is valid and has the order's pieces, or the marker does not
+// change.
 #include <string>
 
 #include "protocol/calls/method.h"

@@ -40,8 +40,8 @@ void limit_searches(protocol::methods::MethodTable& methods) {
   }
 }
 
-// All methods, except that compaction at accuracy "fine", which would take too long here, searches only briefly, and so
-// do the exact searches.
+// All methods, but with short searches in compaction at accuracy "fine" and in the exact searches, which would take too
+// long here.
 protocol::methods::MethodTable quick_methods() {
   protocol::methods::MethodTable methods = protocol::methods::method_table();
   limit_searches(methods);
@@ -83,7 +83,7 @@ void judge(const std::string& text) {
 // Everything behind the transport, executed on the calling thread.
 class LocalServer {
  public:
-  // Nothing if the message was not answered; more than one answer is a crash.
+  // Returns nothing if the message was not answered.  More than one answer is reported as a crash.
   std::optional<std::string> ask(std::string message) {
     std::optional<std::string> answer;
     backend_.receive(std::move(message), session_, [&answer](std::string text) {

@@ -1,4 +1,4 @@
-// Polygons made from a fuzzer's bytes.
+// Lists of vertices made from a fuzzer's bytes.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace selvage::test {
 
-// A closed list of at most `most` points on a lattice of any size.  On a small lattice, coordinates often coincide.
+// The vertices of a closed outline: at most `most` points on a lattice of random size, in which coordinates often
+// coincide if it is small.
 [[nodiscard]] std::vector<Vec> any_vertices(Random& random, std::size_t most, Coord largest_extent);
 
 }  // namespace selvage::test

@@ -19,13 +19,13 @@ Error error_of(const char* method, const Json& params) {
   EXPECT_FALSE(read) << method;
   return read.error();
 }
-// The parameters as they were understood, defaults filled in.
+// The decoded parameters, encoded again with defaults filled in.
 std::string understood(const char* method, const char* params) {
   const auto read = find_method(method)->canonical(json(params));
   return read ? json::to_text(*read) : read.error().message;
 }
 
-TEST(OpenParams, TakeWhatTheCommandLineTakesForFilesAndForCloth) {
+TEST(OpenParams, AcceptTheCommandLinesOptionsForFilesAndCloth) {
   const Json text = test::repository_text("examples/trade/accumark_like_nest.dxf");
   const auto open = decode_open({{"marker", text},
                                  {"sizes", {"32", 34}},
@@ -182,7 +182,7 @@ void PrintTo(const BadDirection& bad, std::ostream* out) {
 
 class BadDirections : public testing::TestWithParam<BadDirection> {};
 
-TEST_P(BadDirections, AreNamedWhereverTheyStand) {
+TEST_P(BadDirections, AreReportedWithTheirField) {
   const BadDirection& bad = GetParam();
   const auto expect = [&bad](const Error& error, const std::string& at) {
     EXPECT_EQ(error.code, bad.code) << error.message;
@@ -212,7 +212,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadDirections,
                                          BadDirection{"[1, 2, 3]", ErrorCode::kWrongType, "", "[x, y] is required"},
                                          BadDirection{R"("left")", ErrorCode::kWrongType, "", "an array is required"}));
 
-TEST(Codec, RefusesForcesThatAreNone) {
+TEST(Codec, RefusesInvalidForces) {
   const auto error_of = [](const char* forces) {
     return calls::error_of("motion.push", {{"markerId", "m1"}, {"forces", json(forces)}});
   };

@@ -77,7 +77,7 @@ TEST(Descriptors, OfEveryMethodAreComplete) {
   }
 }
 
-TEST(Descriptors, WhatIsRequiredIsEnoughAndNamedWhenItIsMissing) {
+TEST(Descriptors, RequiredParametersSufficeAndAreNamedWhenMissing) {
   for (const calls::Method& method : methods::method_table().all()) {
     const Json enough = required_params(method);
     const auto wrong = mistake_in(method, enough);
@@ -98,13 +98,13 @@ TEST(Descriptors, EveryParameterIsReadAndChecked) {
   Json unknown = Json::object();
   unknown["nonsense"] = 1;
   for (const calls::Method& method : methods::method_table().all()) {
-    if (method.name == "$/cancelRequest") continue;  // any id is taken
+    if (method.name == "$/cancelRequest") continue;  // any id is accepted
     for (const FieldDescription& param : method.params()) {
       Json params = required_params(method);
       if (param.name == "region") params.erase("point");
       params[std::string{param.name}] = sample(param);
       const auto wrong = mistake_in(method, params);
-      // Which rules of cloth are allowed, the marker decides.
+      // Which of cloth's rules are allowed depends on the marker.
       const bool open = param.group == "cloth";
       EXPECT_TRUE(open || !wrong) << method.name << " " << param.name << " " << (wrong ? wrong->message : "");
       params[std::string{param.name}] = Json::array({unknown});
@@ -115,7 +115,7 @@ TEST(Descriptors, EveryParameterIsReadAndChecked) {
   }
 }
 
-TEST(Descriptors, WhatTheyDoNotNameIsRefused) {
+TEST(Descriptors, UnknownParametersAreRefused) {
   std::set<std::string_view> names{"nonsense"};  // and all parameters of other methods
   for (const calls::Method& method : methods::method_table().all()) {
     for (const FieldDescription& param : method.params()) names.insert(param.name);
@@ -133,14 +133,14 @@ TEST(Descriptors, WhatTheyDoNotNameIsRefused) {
   }
 }
 
-TEST(Descriptors, AWordOfAnEnumerationIsAllowedAndNoOther) {
+TEST(Descriptors, OnlyTheWordsOfAnEnumerationAreAllowed) {
   for (const calls::Method& method : methods::method_table().all()) {
     for (const FieldDescription& param : method.params()) {
       const auto words = schema::words_of(param.type);
       Json params = required_params(method);
       for (const std::string_view word : words) {
         params[std::string{param.name}] = word;
-        if (param.group == "cloth") continue;  // which of them are allowed, the marker decides
+        if (param.group == "cloth") continue;  // which of them are allowed depends on the marker
         EXPECT_FALSE(mistake_in(method, params)) << method.name << " " << param.name << " " << word;
       }
       params[std::string{param.name}] = "nonsense";
@@ -149,7 +149,7 @@ TEST(Descriptors, AWordOfAnEnumerationIsAllowedAndNoOther) {
   }
 }
 
-// A law of the visitors: what was encoded is decoded to the same.
+// A law of the visitors: decoding an encoded message gives the same message.
 TEST(Descriptors, EncodedParametersDecodeToTheSame) {
   for (const calls::Method& method : methods::method_table().all()) {
     if (!method.canonical) continue;

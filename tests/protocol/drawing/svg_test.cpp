@@ -24,7 +24,7 @@ TEST(Svg, DrawsEveryPieceWithItsId) {
   EXPECT_EQ(svg, to_svg(file.marker));
 }
 
-TEST(Svg, SaysLengthAndUtilisationAndWhatTheyWere) {
+TEST(Svg, StatesLengthAndUtilisationBeforeAndAfter) {
   const MarkerFile file = test::read(test::native_squares());
   EXPECT_NE(to_svg(file.marker).find("length 90 mm  \u00b7  utilisation 35.556 %"), std::string::npos);
   SvgOptions options;
@@ -105,7 +105,7 @@ TEST(Svg, DrawsNothingOfAZoneBeyondTheCloth) {
   EXPECT_EQ(count(to_svg(test::read(document).marker), ">left</text>"), 0u);
 }
 
-TEST(Svg, AStripOfAnyLengthTakesAHundredRowsAtMost) {
+TEST(Svg, AStripOfAnyLengthTakesAtMostAHundredRows) {
   Json document = test::native_squares();
   document["pieces"][1]["at"] = test::json("[5000000, 0]");
   const std::string svg = to_svg(test::read(document).marker);
@@ -168,7 +168,7 @@ TEST(Svg, KeepsLabelsWithinTheirRows) {
   EXPECT_GT(std::stod(svg.substr(x)), 46 + 10);  // the square's middle is at the beginning of the second row
 }
 
-TEST(Svg, NumbersTheRulerOnFromRowToRow) {
+TEST(Svg, ContinuesTheRulerFromRowToRow) {
   SvgOptions options;
   options.height = 100;
   const std::string svg = to_svg(test::read(long_marker()).marker, options);
@@ -184,7 +184,7 @@ TEST(Svg, DoesNotFoldAMarkerOfSixTimesItsWidth) {
   EXPECT_EQ(count(svg, "class=\"cut\""), 0u);
 }
 
-TEST(Svg, WritesLabelsAboveTheChain) {
+TEST(Svg, WritesLabelsOnTopOfTheCriticalPath) {
   const MarkerFile file = test::read(test::native_squares());
   SvgOptions options;
   options.overlay.chain.push_back({.x = 1, .y = 1, .from_x = 0, .from_y = 0, .to_x = 2, .to_y = 2, .worth = 1});

@@ -39,7 +39,7 @@ std::string refused(const Cloth& cloth, MarkerFile file = two_bundles()) {
   return given ? "" : given.error().field;
 }
 
-TEST(Cloth, NothingGivenChangesNothing) {
+TEST(Cloth, WithoutRulesChangesNothing) {
   EXPECT_EQ(with({}).marker, two_bundles().marker);
 }
 
@@ -53,7 +53,7 @@ TEST(Cloth, StripHasMarginsAndRepeats) {
   EXPECT_EQ(strip.repeat, (marker::Repeat{.along = 640, .across = 0, .phase = {100, -200}}));
 }
 
-TEST(Cloth, AxisOfTheRepeatThatIsNotGivenStays) {
+TEST(Cloth, AnAxisOfTheRepeatThatIsNotGivenIsUnchanged) {
   MarkerFile file = two_bundles();
   file.marker.strip.repeat = {.along = 500, .across = 700, .phase = {10, 10}};
   EXPECT_EQ(with({.repeat_along = 6}, file).marker.strip.repeat, (marker::Repeat{600, 700, {10, 10}}));
@@ -72,7 +72,7 @@ TEST(Cloth, BundlesBecomeShades) {
   EXPECT_EQ(without.notes[0].field, "/shade");
 }
 
-// A piece that is turned keeps its box.
+// A piece that is rotated keeps its box.
 TEST(Cloth, EverySecondBundleLiesDown) {
   const MarkerFile file = with({.nap_direction = ClothNap::kUpAndDown});
   const Marker& marker = file.marker;
@@ -86,7 +86,7 @@ TEST(Cloth, EverySecondBundleLiesDown) {
   EXPECT_TRUE(is_valid(marker));
 }
 
-TEST(Cloth, NapThatCannotBeIsRefused) {
+TEST(Cloth, ImpossibleNapIsRefused) {
   MarkerFile one_way = two_bundles();
   one_way.marker.shapes[0].rotations = {Angle{}};
   EXPECT_EQ(refused({.nap_direction = ClothNap::kDown}, one_way), "/pieces/0/rules/nap");
@@ -105,7 +105,7 @@ Cloth with_zones(std::vector<protocol::edits::ClothZone> zones) {
   return cloth;
 }
 
-TEST(Cloth, ZonesLieWhereTheyAreSaidTo) {
+TEST(Cloth, ZonesLieAtTheGivenPositions) {
   MarkerFile file = two_bundles();
   file.marker.pieces[0].id = "zone 1";
   const MarkerFile given = with(with_zones({{{60, 40}, {70, 100}, {}}, {{-5, 0}, {0, 100}, 2}}), file);

@@ -1,4 +1,4 @@
-// Operations on a marker, and the moves that two of its states differ by.
+// Operations on a marker, and the moves between two of its states.
 #include "protocol/edits/edits.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Result<MarkerFile> edited(const MarkerFile& file, std::string ops) {
   return apply_edits(file, wanted->edits);
 }
 
-// A marker whose pieces may lie in any way.
+// A marker whose pieces may have any orientation.
 MarkerFile loose() {
   Json document = test::native_squares();
   document["shapes"][0]["rotations"] = "any";
@@ -55,12 +55,12 @@ TEST(Edits, PiecesAreTakenOffTheClothAndLaidOnItAgain) {
   EXPECT_EQ(formats::point_json(on->marker.pieces[1].at, on->marker.resolution), test::json("[3,40]"));
   EXPECT_EQ(on->attributes.pieces[1], test::json("{\"bundle\":7}"));
 
-  // Within one call, and removed from the tray.
+  // Taken off and placed within one call; and removed while unplaced.
   EXPECT_TRUE(edited(loose(), "{'op':'takeOff','piece':'left'},{'op':'place','piece':'left','at':[0,0]}"));
   EXPECT_TRUE(edited(*off, "{'op':'remove','piece':'left'}")->marker.unplaced.empty());
 }
 
-TEST(Edits, ThatConcernUnplacedPiecesNameWhatIsWrong) {
+TEST(Edits, OfUnplacedPiecesReportMistakes) {
   expect_error(loose(), "{'op':'place','piece':'left','at':[0,0]}", ErrorCode::kOutOfRange, "/ops/0/piece");
   expect_error(loose(), "{'op':'takeOff','piece':'none'}", ErrorCode::kOutOfRange, "/ops/0/piece");
   const auto off = edited(loose(), "{'op':'takeOff','piece':'left'}");
@@ -71,7 +71,7 @@ TEST(Edits, ThatConcernUnplacedPiecesNameWhatIsWrong) {
   expect_error(*off, "{'op':'place','piece':'left','at':[1e300,0]}", ErrorCode::kBeyondLattice, "/ops/0/at");
 }
 
-TEST(Edits, EachDoesWhatItSays) {
+TEST(Edits, EachOperationHasItsEffect) {
   const auto after = edited(loose(), R"({'op':'move','piece':'left','by':[1.5,2]},
       {'op':'rotate','piece':'left','to':80},{'op':'rotate','piece':'left','by':10},
       {'op':'flip','piece':'left'},{'op':'flip','piece':'right','flip':false},
@@ -120,7 +120,7 @@ TEST(Edits, SetClothsRules) {
   EXPECT_EQ(without->marker, loose().marker);
 }
 
-TEST(Edits, PiecesComeAndGoWithTheirShapesAndAttributes) {
+TEST(Edits, PiecesAreAddedAndRemovedWithTheirShapesAndAttributes) {
   const auto after = edited(loose(), R"({'op':'remove','piece':'right'},
       {'op':'add','piece':{'id':'right','shape':'tri','at':[9,9],'attributes':{'size':42}},
        'shape':{'id':'tri','outline':[[0,0],[0,1],[1,0]],'attributes':{'cut':'twice'}}},
@@ -135,7 +135,7 @@ TEST(Edits, PiecesComeAndGoWithTheirShapesAndAttributes) {
   EXPECT_EQ(after->notes[0].field, "/ops/1/shape/outline");
 }
 
-TEST(Edits, MistakesAreNamedByTheirOperation) {
+TEST(Edits, MistakesPointToTheirOperation) {
   const MarkerFile file = loose();
   using enum ErrorCode;
   expect_error(file, "{'op':'remove','piece':'left'},{'op':'move','piece':'left','at':[0,0]}", kOutOfRange,

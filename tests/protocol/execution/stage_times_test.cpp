@@ -5,7 +5,7 @@
 namespace selvage::protocol::execution {
 namespace {
 
-TEST(StageTimer, AddsUpWhatEachStageTook) {
+TEST(StageTimer, AddsUpTheTimeOfEachStage) {
   StageTimer timer{100};
   timer.enter(scene::Stage::kDecomposition, 100.5);
   timer.enter(scene::Stage::kSums, 101);

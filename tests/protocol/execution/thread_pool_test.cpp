@@ -27,26 +27,25 @@ TEST(ThreadPool, DoesEveryPartOnce) {
 TEST(ThreadPool, DoesPartsAtTheSameTime) {
   const ThreadPool executor{2};
   std::latch all{3};
-  executor.for_each(3,
-                    [&](std::size_t) { all.arrive_and_wait(); });  // ends only when three parts are under way at once
+  executor.for_each(3, [&](std::size_t) { all.arrive_and_wait(); });  // ends only when three parts run at the same time
 }
 
-TEST(ThreadPool, WithoutHelpersItsCallerDoesAll) {
+TEST(ThreadPool, WithoutPoolThreadsTheCallerDoesEverything) {
   const ThreadPool executor{0};
   std::set<std::thread::id> threads;
   executor.for_each(20, [&](std::size_t) { threads.insert(std::this_thread::get_id()); });
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(ThreadPool, HelpersTakeNothingWhileNoCoreIsFree) {
+TEST(ThreadPool, PoolThreadsTakeNothingWhileNoCoreIsFree) {
   const ThreadPool executor{3, [] { return std::size_t{0}; }};
   EXPECT_EQ(executor.parallelism(), 1U);
-  std::set<std::thread::id> threads;  // not guarded: one thread does it all
+  std::set<std::thread::id> threads;  // needs no lock, because one thread does everything
   executor.for_each(500, [&](std::size_t) { threads.insert(std::this_thread::get_id()); });
   EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
 }
 
-TEST(ThreadPool, NoMoreHelpersWorkThanThereAreFreeCores) {
+TEST(ThreadPool, NoMorePoolThreadsWorkThanCoresAreFree) {
   const ThreadPool executor{5, [] { return std::size_t{2}; }};
   EXPECT_EQ(executor.parallelism(), 3U);
   std::atomic<int> now{};
@@ -68,7 +67,7 @@ TEST(ThreadPool, AsksForACoreBeforeEveryPart) {
   std::atomic<int> by_helper{};
   executor.for_each(100, [&](std::size_t k) {
     if (std::this_thread::get_id() != caller) {
-      spare = 0;  // from now on all cores are wanted elsewhere
+      spare = 0;  // from now on no core is free
       ++by_helper;
       helped.count_down();
     } else if (k == 0) {
@@ -88,7 +87,7 @@ std::string thrown_by(const Executor& executor, std::size_t count, const Executo
   return "";
 }
 
-TEST(ThreadPool, ThrowsWhatTheFirstOfThePartsThatFailedThrew) {
+TEST(ThreadPool, RethrowsTheExceptionOfTheFirstFailedPart) {
   const ThreadPool executor{1};
   for (int trial = 0; trial < 100; ++trial) {
     std::latch both{2};
@@ -100,7 +99,7 @@ TEST(ThreadPool, ThrowsWhatTheFirstOfThePartsThatFailedThrew) {
   }
 }
 
-TEST(ThreadPool, BeginsNothingAfterAPartThatFailed) {
+TEST(ThreadPool, StartsNoPartAfterOneHasFailed) {
   const ThreadPool executor{0};
   int begun = 0;
   const std::string thrown = thrown_by(executor, 50, [&](std::size_t k) {
@@ -111,7 +110,7 @@ TEST(ThreadPool, BeginsNothingAfterAPartThatFailed) {
   EXPECT_EQ(begun, 8);
 }
 
-TEST(ThreadPool, WaitsForWhatIsUnderWayWhenAPartFailsAndWorksOn) {
+TEST(ThreadPool, WaitsForRunningPartsWhenOneFailsAndRemainsUsable) {
   const ThreadPool executor{1};
   std::latch both{2};
   std::atomic<bool> ended{};

@@ -1,4 +1,4 @@
-// Every kind of bad input, and that each is answered with the field, the value and what is allowed.
+// Every kind of invalid input gets an error with the field, the value and what is allowed.
 #include <gtest/gtest.h>
 
 #include "protocol/json/fields.h"
@@ -12,8 +12,8 @@ using test::json;
 
 struct BadInput {
   const char* name;
-  const char* field;  // JSON pointer of what is replaced; "" for the whole document
-  const char* value;  // what it becomes; null: it is removed
+  const char* field;  // JSON pointer of the value that is replaced; "" for the whole document
+  const char* value;  // the new value; null: the field is removed
   ErrorCode code;
   const char* reported;  // the field the error names
 };

@@ -1,4 +1,4 @@
-// The promise of every writer: a lattice coordinate is printed as exactly the decimal it is.
+// A law of every writer: a lattice coordinate is printed as its exact decimal.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -10,7 +10,7 @@
 namespace selvage::protocol::formats {
 namespace {
 
-// A decimal text as digits times a power of ten, trailing zeros gone.
+// A decimal text as digits times a power of ten, without trailing zeros.
 struct Digits {
   bool negative{};
   std::string digits;

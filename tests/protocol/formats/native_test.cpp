@@ -43,7 +43,7 @@ TEST(Native, RoundTripsUnplacedPieces) {
   EXPECT_EQ(test::read(written).marker, once.marker);
 }
 
-TEST(Native, ReadsAMarkerOfWhichNothingIsPlaced) {
+TEST(Native, ReadsAMarkerWithoutPlacedPieces) {
   Json document = native_squares();
   document["pieces"] = Json::array();
   document["unplaced"] = json(R"([{"id": "spare", "shape": "square"}])");
@@ -96,7 +96,8 @@ TEST(Native, RoundTripsEverything) {
   EXPECT_EQ(json::to_text(written["attributes"]), R"({"customer":{"no":17}})");
 }
 
-// A marker that uses nothing newer is written as the first version of this format was: older programs can read it.
+// A marker that uses no newer fields is written in the first version of this format, so that older programs can read
+// it.
 TEST(Native, WritesLaterFieldsOnlyWhereTheyAreUsed) {
   const std::vector<std::string_view> of_marker{"format", "version", "name",   "unit",  "resolution",
                                                 "strip",  "spacing", "shapes", "pieces"};
@@ -114,7 +115,7 @@ TEST(Native, WritesLaterFieldsOnlyWhereTheyAreUsed) {
   EXPECT_EQ(names(written["pieces"][0]), of_piece);
 }
 
-TEST(Native, RefusesVersionsThatItDoesNotKnow) {
+TEST(Native, RefusesUnknownVersions) {
   Json document = native_squares();
   document["version"] = 2;
   const auto refused = read_document(document);
@@ -177,7 +178,7 @@ TEST(Native, RoundsRulesSoThatTheyHoldAsWritten) {
   EXPECT_EQ(marker.pieces[0].rules, (marker::Rules{.below = 1, .from = 1, .to = 905}));
 }
 
-TEST(Native, NamesTheRuleThatIsWrong) {
+TEST(Native, ReportsTheInvalidRule) {
   const auto field_of = [](const std::string& rules) {
     Json document = native_squares();
     document["pieces"][1]["rules"] = json(rules);
@@ -237,7 +238,7 @@ TEST(Native, ReadsWholeNumbersAsIds) {
   EXPECT_EQ(file.marker.pieces[0].id, "17");
 }
 
-TEST(Native, TakesARotationForTheAllowedOneItEquals) {
+TEST(Native, ReadsARotationAsTheEqualAllowedOne) {
   Json document = native_squares();
   document["shapes"][0]["rotations"] = json("[0, 270]");
   document["pieces"][1]["rotation"] = -90;
@@ -258,7 +259,7 @@ TEST(Native, ChoosesAResolutionThatHoldsEveryDecimal) {
   EXPECT_TRUE(file.notes.empty());
 }
 
-TEST(Native, SaysWhenDecimalsAreRounded) {
+TEST(Native, ReportsWhenDecimalsAreRounded) {
   Json document = native_squares();
   document["resolution"] = 0.01;
   document["pieces"][1]["at"] = json("[50.123, 10]");
@@ -268,7 +269,7 @@ TEST(Native, SaysWhenDecimalsAreRounded) {
   EXPECT_EQ(file.notes[0].text, "coordinates are rounded to multiples of 0.01 mm");
 }
 
-TEST(Native, MendsOutlinesAndSaysSo) {
+TEST(Native, RepairsOutlinesAndReportsIt) {
   Json document = native_squares();
   // Clockwise, a repeated vertex, one on a straight edge, closed; and a hole.
   document["shapes"][0]["outline"] = json("[[0,0],[0,40],[0,40],[20,40],[40,40],[40,0],[0,0]]");
@@ -283,7 +284,7 @@ TEST(Native, MendsOutlinesAndSaysSo) {
   EXPECT_EQ(file.notes, expected);
 }
 
-TEST(Native, ReadsOverlappingAndProtrudingPiecesForOthersToJudge) {
+TEST(Native, ReadsOverlappingAndProtrudingPiecesWithoutAnError) {
   Json document = native_squares();
   document["pieces"][1]["at"] = json("[20, 80]");
   EXPECT_FALSE(is_valid(test::read(document).marker));

@@ -1,4 +1,4 @@
-// The example markers: read, written in every form and read again without a unit lost.
+// The example markers are read, written in every format and read again without any change.
 #include <gtest/gtest.h>
 
 #include "core/marker/validity.h"

@@ -1,4 +1,4 @@
-// Small documents that the protocol's tests start from.
+// Small documents for the tests of the protocol.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ TEST(Sparrow, ReadsASolution) {
   EXPECT_TRUE(file.notes.empty());
 }
 
-TEST(Sparrow, TakesAnInstanceForUnplacedPieces) {
+TEST(Sparrow, ReadsAnInstanceAsUnplacedPieces) {
   Json document = sparrow_squares();
   document.erase("solution");
   document["items"][0]["demand"] = 3;
@@ -42,7 +42,7 @@ TEST(Sparrow, TakesAnInstanceForUnplacedPieces) {
   EXPECT_EQ(test::read(*written).marker, file.marker);
 }
 
-TEST(Sparrow, TakesTheDemandThatIsNotMetForUnplacedPieces) {
+TEST(Sparrow, ReadsUnmetDemandAsUnplacedPieces) {
   Json document = sparrow_squares();
   document["items"][0]["demand"] = 4;
   placed(document)[0]["id"] = "2";
@@ -57,8 +57,8 @@ TEST(Sparrow, TakesTheDemandThatIsNotMetForUnplacedPieces) {
   EXPECT_EQ(test::read(*written).marker, file.marker);
 }
 
-// A zone is a part of the cloth, not a copy that is cut.
-TEST(Sparrow, DemandIsWithoutZones) {
+// A zone is a part of the cloth, not a copy of an item.
+TEST(Sparrow, DemandDoesNotIncludeZones) {
   Json document = sparrow_squares();
   placed(document)[1]["rules"] = json(R"({"zone": true})");
   document["items"][0]["demand"] = 2;
@@ -85,7 +85,7 @@ TEST(Sparrow, KeepsTubesAndQualities) {
   EXPECT_EQ(test::read(*written).marker, file.marker);
 }
 
-TEST(Sparrow, KeepsWhatItDoesNotKnow) {
+TEST(Sparrow, KeepsUnknownFields) {
   Json document = sparrow_squares();
   document["description"] = "two";
   document["items"][0]["grain"] = "along +x";
@@ -122,7 +122,7 @@ TEST(Sparrow, RecognisesRadians) {
   EXPECT_EQ(file.notes[0].text, "rotations are read as radians");
 }
 
-TEST(Sparrow, TakesSinglePrecisionDegreesForTheAllowedOnes) {
+TEST(Sparrow, MatchesSinglePrecisionDegreesToAllowedRotations) {
   Json document = sparrow_squares();
   placed(document)[1]["transformation"] = json(R"({"rotation": -180.00002, "translation": [90, 50]})");
   EXPECT_EQ(test::read(document).marker.pieces[1].orientation.rotation, Angle::of_degrees(180));
@@ -139,8 +139,8 @@ TEST(Sparrow, ReadsATiltWithinTheLimit) {
   EXPECT_EQ((*written)["solution"]["layout"]["placed_items"][1]["transformation"]["rotation"], 182.5);
 }
 
-// Also those that are smaller than what is forgiven in an allowed rotation: the pieces may touch.
-TEST(Sparrow, ReadsTiltsBackToTheLastBit) {
+// Also tilts that are smaller than the tolerance for allowed rotations, because the pieces may touch.
+TEST(Sparrow, ReadsTiltsBackExactly) {
   Json document = sparrow_squares();
   document["items"][0]["tilt_limit_deg"] = 3;
   MarkerFile file = test::read(document);
@@ -154,7 +154,7 @@ TEST(Sparrow, ReadsTiltsBackToTheLastBit) {
   }
 }
 
-TEST(Sparrow, ARotationThatContradictsItsTiltCounts) {
+TEST(Sparrow, ARotationThatContradictsItsTiltTakesPrecedence) {
   Json document = sparrow_squares();
   document["items"][0]["tilt_limit_deg"] = 3;
   placed(document)[1]["tilt_deg"] = 1;
@@ -170,7 +170,7 @@ TEST(Sparrow, ReadsOrientationPermissionsAsJaguaDoes) {
   EXPECT_EQ(test::read(document).marker.shapes[0].rotations, std::vector{Angle{}});
 }
 
-TEST(Sparrow, CountsNoWholeTurns) {
+TEST(Sparrow, IgnoresWholeTurns) {
   Json document = sparrow_squares();
   document["items"][0].erase("allowed_orientations");
   placed(document)[1]["transformation"] = json(R"({"rotation": 810, "translation": [90, 10]})");
@@ -219,7 +219,7 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   EXPECT_EQ(back.marker.shade, file.marker.shade);
 }
 
-TEST(Sparrow, HasNoWordForAFlippedPiece) {
+TEST(Sparrow, CannotExpressAFlippedPiece) {
   Json native = test::native_squares();
   native["shapes"][0]["flip"] = true;
   native["pieces"][0]["flip"] = true;

@@ -20,7 +20,7 @@ std::string mistake_of(const std::string& text, Read read) {
   return mistake ? std::string{wire_name(mistake.error().code)} + " " + describe(mistake.error()) : "";
 }
 
-TEST(Fields, NamesWhatMayBeThereOnce) {
+TEST(Fields, ListsEachAllowedFieldOnce) {
   const auto read = [](Fields& fields) {
     if (fields.maybe_any("a")) (void)fields.text("a");
   };
@@ -28,7 +28,7 @@ TEST(Fields, NamesWhatMayBeThereOnce) {
             "input.unknown_field /here/b: the field is not known; allowed here: a");
 }
 
-TEST(Fields, ReadsWhatIsThere) {
+TEST(Fields, ReadsFieldsOfEveryType) {
   const Json value = json(R"({"n": 2.5, "t": "x", "i": 3, "b": true, "a": [1], "o": {}, "w": "two", "id": 12})");
   Mistake mistake;
   Fields fields{value, "", mistake};
@@ -46,7 +46,7 @@ TEST(Fields, ReadsWhatIsThere) {
   EXPECT_FALSE(mistake) << describe(mistake.error());
 }
 
-TEST(Fields, NamesWhatMayBeThereOnceHoweverOftenItWasAskedFor) {
+TEST(Fields, ListsEachAllowedFieldOnceHoweverOftenItWasRead) {
   EXPECT_EQ(mistake_of(R"({"n": 1, "z": 2})",
                        [](Fields& f) {
                          (void)f.maybe_any("n");
@@ -55,7 +55,7 @@ TEST(Fields, NamesWhatMayBeThereOnceHoweverOftenItWasAskedFor) {
             "input.unknown_field /here/z: the field is not known; allowed here: n");
 }
 
-TEST(Fields, NamesTheFieldTheValueAndWhatIsAllowed) {
+TEST(Fields, ErrorsNameTheFieldTheValueAndTheAllowedValues) {
   EXPECT_EQ(mistake_of("{}", [](Fields& f) { (void)f.number("width"); }),
             "input.missing_field /here/width: the field is missing; it is required");
   EXPECT_EQ(mistake_of(R"({"width": "12"})", [](Fields& f) { (void)f.number("width"); }),
@@ -79,7 +79,7 @@ TEST(Fields, RefusesIntegersThatWouldWrap) {
   }
 }
 
-TEST(Fields, ReportsTheFirstFieldNobodyAskedFor) {
+TEST(Fields, ReportsTheFirstUnknownField) {
   EXPECT_EQ(mistake_of(R"({"width": 1, "colour~/": 2})", [](Fields& f) { (void)f.number("width"); }),
             "input.unknown_field /here/colour~0~1: the field is not known; allowed here: width");
 }
@@ -93,7 +93,7 @@ TEST(Fields, KeepsTheFirstMistake) {
             "input.missing_field /here/a: the field is missing; it is required");
 }
 
-TEST(Fields, RestIsWhatNobodyAskedFor) {
+TEST(Fields, RestContainsTheFieldsThatWereNotRead) {
   const Json value = json(R"({"a": 1, "b": 2, "c": 3})");
   Mistake mistake;
   Fields fields{value, "", mistake};

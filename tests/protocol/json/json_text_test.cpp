@@ -21,7 +21,7 @@ TEST(Parse, KeepsValuesAndTheOrderOfFields) {
   EXPECT_EQ(to_text(*value), R"({"z":[1,-2,2.5,true,null],"a":{"text":"é\n"}})");
 }
 
-TEST(Parse, SaysWhereTheTextIsNotJson) {
+TEST(Parse, ReportsWhereTheTextIsNotJson) {
   const auto value = parse("{\n  \"a\": NaN\n}");
   ASSERT_FALSE(value);
   EXPECT_EQ(value.error().code, ErrorCode::kSyntax);
@@ -60,18 +60,18 @@ TEST(Parse, RefusesNestingBeyondTheLimitHoweverDeep) {
   }
 }
 
-TEST(Parse, BracketsInsideStringsAreNoNesting) {
+TEST(Parse, BracketsInsideStringsDoNotCountAsNesting) {
   EXPECT_TRUE(parse("\"" + std::string(1000, '[') + "\\\"" + std::string(1000, '{') + "\""));
 }
 
-TEST(Parse, RefusesAFieldThatIsThereTwice) {
+TEST(Parse, RefusesDuplicateFields) {
   const auto value = parse(R"({"pieces": [{"id": 1}, {"id": 2, "at": 3, "id": 4}]})");
   ASSERT_FALSE(value);
   EXPECT_EQ(value.error().code, ErrorCode::kDuplicateField);
   EXPECT_EQ(value.error().field, "/pieces/1/id");
 }
 
-TEST(Parse, RefusesNumbersThatNoDoubleHolds) {
+TEST(Parse, RefusesNumbersBeyondTheRangeOfDouble) {
   for (const char* text : {"1e999", "[-1e400]"}) {
     const auto value = parse(text);
     ASSERT_FALSE(value) << text;
@@ -112,7 +112,7 @@ TEST(NumberText, IsShortAndPlain) {
   EXPECT_EQ(number_text(9007199254740993.0), "9.007199254740992e+15");
 }
 
-TEST(ToText, EscapesStringsAndMendsBadUtf8) {
+TEST(ToText, EscapesStringsAndReplacesInvalidUtf8) {
   EXPECT_EQ(to_text(Json("a\"b\\c\x01")), R"("a\"b\\c\u0001")");
   EXPECT_TRUE(nlohmann::json::accept(to_text(Json("broken \xc3"))));
 }

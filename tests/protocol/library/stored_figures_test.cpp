@@ -18,7 +18,7 @@ TEST(StoredFigures, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read_stored_figures(*document), figures);
 }
 
-TEST(StoredFigures, OfWhatIsNoneAreNotRead) {
+TEST(StoredFigures, AreNotReadFromOtherDocuments) {
   const Json good = figures_document(stored_figures_of(test::garment("jeans_02g")));
   EXPECT_FALSE(read_stored_figures(Json::array()));
   EXPECT_FALSE(read_stored_figures(Json::object()));

@@ -1,6 +1,6 @@
-// The golden exchanges against the codec: their requests decode, their errors are the decoder's own, and
-// their results have exactly the fields that the encoder writes.  (The server's tests play them over a
-// socket.)
+// Checks the golden exchanges against the codec: their requests can be decoded, their errors are those of the
+// decoder, and their results have exactly the fields that the encoder writes.  (tests/end_to_end sends them to a
+// server.)
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -32,10 +32,10 @@ std::optional<Error> error_of(const Result<T>& result) {
 
 struct Method {
   std::function<std::optional<Error>(const Json&)> decode;
-  std::function<Json(const Json&)> result;  // of parameters that decode: one with all its fields
+  std::function<Json(const Json&)> result;  // of parameters that can be decoded: one with all its fields
 };
 
-// A method run on the two squares that the golden exchanges are about.
+// Runs a method on the two squares of the golden exchanges.
 Json on_squares(const calls::Method& method, const Json& params) {
   const MarkerFile file = test::read(test::native_squares());
   SumCache sums;
@@ -72,7 +72,7 @@ void expect_alike(const Json& expected, const Json& actual) {
   }
 }
 
-// Only the marker shows that a piece is not one of its own.
+// Whether a piece exists is only known when the method runs on the marker.
 bool names_a_stranger(const Json& response) {
   return response["error"]["message"].get<std::string>().find("is not a piece of this marker") != std::string::npos;
 }

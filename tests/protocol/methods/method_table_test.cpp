@@ -13,7 +13,7 @@ namespace {
 
 using test::json;
 
-// A method run on a marker.
+// Runs a method on a marker.
 struct Ran {
   std::optional<calls::MethodAnswer> answer;
   std::optional<Error> error;
@@ -54,7 +54,7 @@ TEST(Methods, HaveUniqueNames) {
   EXPECT_EQ(find_method("marker.nonsense"), nullptr);
 }
 
-TEST(Motions, AllTellTheSameFieldsBesideTheirOwn) {
+TEST(Motions, AllReturnTheCommonFieldsAndTheirOwn) {
   const std::set<std::string> common{
       "name",  "pieces", "lengthBefore", "lengthAfter", "utilisationBefore", "utilisationAfter",
       "valid", "healed", "placements"};
@@ -83,7 +83,7 @@ TEST(Pack, ProvesTheShortestMarker) {
   EXPECT_LE(fields["bound"].number(), 40);
   EXPECT_GT(fields["bound"].number(), 39.99);
   ASSERT_TRUE(packed.answer->next);
-  // A cloth that is too short: the marker stays as it is.
+  // The cloth is too short, so the marker does not change.
   Json document = test::native_squares();
   document["strip"]["longest"] = 39;
   const auto impossible = ran("motion.pack", document, json("{}"));
@@ -108,7 +108,7 @@ TEST(Contain, PlacesUnplacedPiecesInTheGivenRoom) {
   EXPECT_FALSE(tight.answer->next);
 }
 
-TEST(Contain, TellsTheClearanceWhereMostRoomIsAskedFor) {
+TEST(Contain, ReportsTheClearanceWhenMostRoomIsRequested) {
   const auto roomy = ran("motion.contain", test::native_squares(),
                          json(R"({"pieces":["right"],"room":[[40,0],[100,60]],"best":"room"})"));
   ASSERT_TRUE(roomy.answer) << roomy.error->message;
@@ -133,7 +133,7 @@ TEST(Contain, RefusesWhatItCannotPlace) {
   }
 }
 
-TEST(Bump, TellsWhereWhatHoldsItAndHowFar) {
+TEST(Bump, ReportsThePositionTheBlockingPiecesAndTheDistance) {
   const auto bumped = ran("motion.bump", test::native_squares(), json(R"({"piece":"right","direction":[-3,0]})"));
   ASSERT_TRUE(bumped.answer);
   const Json& fields = bumped.answer->fields;
@@ -148,7 +148,7 @@ TEST(Bump, TellsWhereWhatHoldsItAndHowFar) {
   EXPECT_EQ(length_of(*bumped.answer->next), to_lattice(80, bumped.answer->next->resolution));
 }
 
-TEST(Bump, OfAPieceThatCannotMoveMakesNoNextMarker) {
+TEST(Bump, OfAPieceThatCannotMoveChangesNothing) {
   const auto still = ran("motion.bump", test::native_squares(), json(R"({"piece":"left","direction":[-1,0]})"));
   ASSERT_TRUE(still.answer);
   EXPECT_EQ(still.answer->fields["moved"], false);
@@ -157,7 +157,7 @@ TEST(Bump, OfAPieceThatCannotMoveMakesNoNextMarker) {
   EXPECT_FALSE(still.answer->next);
 }
 
-TEST(Bump, HealsSmallOverlapsFirstAndTellsAllThatMoved) {
+TEST(Bump, RepairsSmallOverlapsFirstAndReportsEveryPieceThatMoved) {
   const auto bumped =
       ran("motion.bump", squares_at({0, 0}, {39.995, 10}), json(R"({"piece":"right","direction":[0,1]})"));
   ASSERT_TRUE(bumped.answer) << bumped.error->message;
@@ -166,7 +166,7 @@ TEST(Bump, HealsSmallOverlapsFirstAndTellsAllThatMoved) {
   EXPECT_EQ(bumped.answer->fields["valid"], true);
 }
 
-TEST(Push, MovesWhatIsPushedAndHoldsTheLength) {
+TEST(Push, MovesPushedPiecesAtFixedLength) {
   const auto pushed =
       ran("motion.push", test::native_squares(), json(R"({"forces":[{"piece":"left","force":[5,0]}]})"));
   ASSERT_TRUE(pushed.answer);
@@ -197,14 +197,14 @@ TEST(Place, GoesToTheNearestFreePosition) {
       ran("motion.place", squares_at({0, 0}, {10, 5}), json(R"({"piece":"right","to":[35,20],"mayGrow":true})"));
   ASSERT_TRUE(placed.answer) << placed.error->message;
   EXPECT_EQ(placed.answer->fields["found"], true);
-  EXPECT_EQ(placed.answer->fields["at"], json("[10,40]"));  // within the length there is room only above
+  EXPECT_EQ(placed.answer->fields["at"], json("[10,40]"));  // within the length there is only room above
   EXPECT_EQ(placed.answer->fields["grown"], false);
   const auto far = ran("motion.place", test::native_squares(), json(R"({"piece":"right","to":[1e300,0]})"));
   ASSERT_TRUE(far.error);
   EXPECT_EQ(far.error->field, "/to");
 }
 
-TEST(OpenGap, TellsTheAreaBeforeAndAfter) {
+TEST(OpenGap, ReportsTheAreaBeforeAndAfter) {
   const auto opened = ran("motion.openGap", test::native_squares(), json(R"({"point":[45,20]})"));
   ASSERT_TRUE(opened.answer) << opened.error->message;
   EXPECT_GE(opened.answer->fields["areaAfter"].number(), opened.answer->fields["areaBefore"].number());
@@ -216,7 +216,7 @@ TEST(OpenGap, TellsTheAreaBeforeAndAfter) {
   EXPECT_EQ(both.error->field, "/point");
 }
 
-TEST(Regions, AreListedWithWhatIsAround) {
+TEST(Regions, AreListedWithTheirAdjacentPieces) {
   const auto told = ran("marker.regions", test::native_squares(), json(R"({"clearance":0.1})"));
   ASSERT_TRUE(told.answer);
   const Json& regions = told.answer->fields["regions"];
@@ -225,7 +225,7 @@ TEST(Regions, AreListedWithWhatIsAround) {
   EXPECT_EQ(regions[0]["around"], json(R"(["left","right"])"));
 }
 
-TEST(Tilt, TellsWhatTiltingBrought) {
+TEST(Tilt, ReportsTheGainOfTilting) {
   Json document = test::native_squares();
   document["pieces"][1]["tilt"] = 2;
   document["shapes"][0]["tilt_limit"] = 2;
@@ -254,7 +254,7 @@ TEST(Baselines, NeverLengthen) {
   }
 }
 
-TEST(Motions, RefuseDeepOverlapsByName) {
+TEST(Motions, RefuseDeepOverlapsAndNameThePieces) {
   const Json deep = squares_at({0, 0}, {20, 10});
   for (const auto& [name, params] : {std::pair{"motion.compact", "{}"},
                                      {"motion.push", kPushLeft},
@@ -268,7 +268,7 @@ TEST(Motions, RefuseDeepOverlapsByName) {
   }
 }
 
-TEST(Motions, NameThePieceThatIsNotThere) {
+TEST(Motions, NameAnUnknownPiece) {
   const auto bumped = ran("motion.bump", test::native_squares(), json(R"({"piece":"up","direction":[1,0]})"));
   ASSERT_TRUE(bumped.error);
   EXPECT_EQ(bumped.code, rpc::RpcCode::kInvalidParams);
@@ -300,7 +300,7 @@ TEST(Motions, AnInvalidResultIsReportedAndNotKept) {
   EXPECT_TRUE(answer_of(start, end, Json::object(), true, {run}).next);
 }
 
-TEST(Motions, SayWhatStoppedThem) {
+TEST(Motions, ReportWhatStoppedThem) {
   SumCache sums;
   const scene::Run run{sums};
   EXPECT_EQ(calls::stop_cause(scene::StopReason::kConverged, {run}), calls::StopCause::kConverged);
@@ -320,7 +320,7 @@ TEST(Motions, TimesComeLastAndOnlyOnRequest) {
   EXPECT_TRUE(fields.contains("cache"));
 }
 
-TEST(MarkerGet, OfAFormThatHasNoWordForItIsAWrongParameter) {
+TEST(MarkerGet, InAFormatThatCannotExpressTheMarkerIsAnInvalidParameter) {
   Json document = test::native_squares();
   document["shapes"][0]["flip"] = true;
   document["pieces"][1].update(json(R"({"flip":true,"at":[50,60]})"));

@@ -1,4 +1,4 @@
-// protocol/README.md tells the truth: its examples work, its codes are the ones there are.
+// protocol/README.md is correct: its examples work, and it lists exactly the error codes that exist.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -41,7 +41,8 @@ TEST(Readme, ItsExamplesWork) {
   ASSERT_TRUE(answer);
   Json result = calls::result_json("m1", 2, answer->fields);
   Json shown = found[2]["result"];
-  for (Json* each : {&result, &shown}) (*each)["placements"][0].erase("at");  // any place of the same length will do
+  for (Json* each : {&result, &shown})
+    (*each)["placements"][0].erase("at");  // any value of the same length is acceptable
   EXPECT_EQ(json::to_text(result), json::to_text(shown));
 }
 
@@ -59,7 +60,7 @@ TEST(Readme, ExplainsEveryMotionAndItsParameters) {
     if (!method.motion) continue;
     const std::string own = section(text, name) + section(text, "Motions");
     EXPECT_FALSE(section(text, name).empty()) << name;
-    // The first word that is missing, then the next, until the parameters decode or are of the wrong type.
+    // Adds the parameter that is reported as missing, until the parameters can be decoded or have a wrong type.
     Json params{{"markerId", "m1"}};
     for (auto call = method.read(params); !call && call.error().code == ErrorCode::kMissingField;
          call = method.read(params)) {

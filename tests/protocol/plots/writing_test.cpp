@@ -1,4 +1,4 @@
-// Every format that is written: what reads it back, or what must be in it.
+// Every format that is written: it is read back, or its content is checked.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(DxfNest, ReadsBackAsTheSameMarker) {
   }
 }
 
-// A flaw of the cloth, with a shape of its own, changes nothing of what is cut.
+// A flaw of the cloth, which has a shape of its own, does not change what is cut.
 TEST(Writing, ZonesAreLeftOut) {
   const MarkerFile file = rich_marker();
   MarkerFile flawed = file;
@@ -133,7 +133,7 @@ TEST(Pdf, TilesCoverTheMarker) {
   EXPECT_EQ(count_of(written(file, FileFormat::kPdfTiles), "/Type /Page "), columns * rows);
 }
 
-// Every offset of the table of objects leads to its object.
+// Every offset in the table of objects leads to its object.
 TEST(Pdf, TableOfObjectsIsRight) {
   for (const FileFormat format : {FileFormat::kPdf, FileFormat::kPdfTiles, FileFormat::kReport}) {
     const std::string text = written(read_example("polypattern_like.dxf"), format);

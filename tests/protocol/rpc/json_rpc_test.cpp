@@ -11,7 +11,7 @@ const RpcError& refused(const Call& call) {
   return std::get<BadRequest>(call).error;
 }
 
-TEST(JsonRpc, TakesACall) {
+TEST(JsonRpc, ParsesACall) {
   const Incoming in = parse_incoming(R"({"jsonrpc":"2.0","id":"a","method":"m","params":{"x":1}})", kRoomy);
   EXPECT_FALSE(in.batch);
   ASSERT_EQ(in.calls.size(), 1u);
@@ -35,7 +35,7 @@ TEST(JsonRpc, AnswersWhatIsNotJson) {
   EXPECT_EQ(refused(in.calls[0]).data["name"], "input.syntax");
 }
 
-TEST(JsonRpc, AnswersWhatIsNoRequestUnderItsId) {
+TEST(JsonRpc, AnswersInvalidRequestsUnderTheirId) {
   for (const char* text :
        {R"({"id":1,"method":"m"})", R"({"jsonrpc":"2.0","id":1})", R"({"jsonrpc":"2.0","id":1,"method":5})",
         R"({"jsonrpc":"2.0","id":1,"method":"m","params":3})",
@@ -50,7 +50,7 @@ TEST(JsonRpc, AnswersWhatIsNoRequestUnderItsId) {
       std::get<BadRequest>(parse_incoming(R"({"jsonrpc":"2.0","id":[1],"method":"m"})", kRoomy).calls[0]).id.is_null());
 }
 
-TEST(JsonRpc, TakesABatchInOrderWithItsBadCalls) {
+TEST(JsonRpc, ParsesABatchInOrderWithItsInvalidCalls) {
   const Incoming in =
       parse_incoming(R"([{"jsonrpc":"2.0","id":1,"method":"a"},5,{"jsonrpc":"2.0","method":"b"}])", kRoomy);
   EXPECT_TRUE(in.batch);
@@ -60,7 +60,7 @@ TEST(JsonRpc, TakesABatchInOrderWithItsBadCalls) {
   EXPECT_EQ(std::get<Request>(in.calls[2]).method, "b");
 }
 
-TEST(JsonRpc, BoundsBatchesAndTexts) {
+TEST(JsonRpc, LimitsBatchesAndTexts) {
   EXPECT_EQ(refused(parse_incoming("[]", kRoomy).calls[0]).code, RpcCode::kInvalidRequest);
   std::string batch = "[0";
   for (std::size_t i = 1; i < kMaxBatch; ++i) batch += ",0";

@@ -1,4 +1,4 @@
-// Goes over the table of methods: whatever computes on a marker has a deadline, and ends when it has passed.
+// Tests every method in the table: those that compute on a marker have a deadline and end when it has passed.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -33,7 +33,7 @@ const std::map<std::string, std::string, std::less<>> kArguments{
     {"quantities", "[{'colour':'red','size':'M','garments':9}]"},
     {"sheets", "[{'width':1000,'length':2000}]"}};
 
-// 60 triangles in loose rows, so that no motion of many pieces is done after a moment.
+// 60 triangles in loose rows, so that no motion of many pieces is done at once.
 std::string loose_marker() {
   std::ostringstream text;
   text << R"({"format":"selvage-marker","version":1,"name":"loose","strip":{"width":1000},"shapes":[)"
@@ -63,7 +63,7 @@ std::string arguments_of(const Method& method) {
   return params + "}";
 }
 
-// Counts the linear programs that are begun after the deadline, and has it pass when the method begins.
+// Lets the deadline pass when the method begins, and counts the linear programs that are started afterwards.
 class Overdue {
  public:
   MethodTable methods() {
@@ -110,7 +110,7 @@ TEST(MethodDeadlines, EveryMethodThatComputesEndsWhenItsDeadlineHasPassed) {
       EXPECT_EQ(answer["error"]["data"]["name"], "motion.stopped_early") << name << answer;
       continue;
     }
-    // A step of one piece may be done as fast as it would be stopped.
+    // A motion of one piece may end before it notices the deadline.
     const std::string stop = answer.value("stop", "deadline");
     EXPECT_TRUE(stop == "deadline" || (stop == "converged" && method.kind == MethodKind::kStep)) << name << stop;
     EXPECT_TRUE(answer.value("valid", true)) << name;

@@ -1,4 +1,4 @@
-// What waits for the store's file delays no read and no motion of another marker.
+// Calls that wait for the store's file delay neither reads nor motions of other markers.
 #include <gtest/gtest.h>
 
 #include <future>
@@ -49,7 +49,7 @@ TEST_F(Openings, DelayNoReads) {
   EXPECT_EQ(answer_of(closing)["result"]["closed"], true);
 }
 
-// A copy of the store takes as long as the store is large.
+// The time to copy the store grows with its size.
 TEST_F(Openings, OneOfTheTwoWorkersTakesNoCopies) {
   std::promise<void> release;
   auto released = release.get_future().share();
@@ -68,7 +68,7 @@ TEST_F(Openings, OneOfTheTwoWorkersTakesNoCopies) {
   EXPECT_TRUE(answer_of(backup).contains("result"));
 }
 
-// The first use of a marker after a start reads it, which takes as long as it is large.
+// The first use of a marker after a start reads it, which takes time that grows with its size.
 TEST(FirstUse, OfAMarkerIsNotOnTheThreadThatReceivesCalls) {
   const TemporaryFolder folder;
   const auto durability = server::store::Durability::kRelaxed;

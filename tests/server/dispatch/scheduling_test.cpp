@@ -154,7 +154,7 @@ class BlockedServer : public ::testing::Test {
   LocalServer local{1, methods_with({"motion.compact"},
                                     [this](const CommonParams& about, const MarkerFile& file,
                                            const MethodContext& context) -> Result<MethodAnswer> {
-                                      arrived.set_value();  // a second motion would throw
+                                      arrived.set_value();  // starting a second motion would throw
                                       may_end.wait();
                                       return motion_answer(about, file.marker, push_left(file.marker), context);
                                     })};

@@ -1,5 +1,5 @@
-// Motions that take a single step and that tests can hold, break and count, and a small marker for them.  They replace
-// rows of the method table.
+// Motions with a single step, which tests can block, break and count, and a small marker for them.  They replace rows
+// of the method table.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ using protocol::methods::MethodTable;
 using StubRun =
     std::function<Result<MethodAnswer>(const CommonParams&, const MarkerFile& file, const MethodContext& context)>;
 
-// The table of all methods, of which those of these names run the stub instead.
+// The table of all methods, in which the methods with these names run the stub instead.
 inline MethodTable methods_with(std::initializer_list<const char*> names, const StubRun& stub) {
   MethodTable table = protocol::methods::method_table();
   for (const char* name : names) {

@@ -178,7 +178,7 @@ TEST(DragSessions, BelongToTheirConnectionAndEndWithIt) {
   EXPECT_EQ(code_of(local.result("drag.begin", "{'markerId':'m1','piece':'high'}")), -32013);
 }
 
-// What a client is told of the pieces that others drag: "piece x y" of each.
+// What a notification reports about the pieces that others drag:  "piece x y" for each.
 std::vector<std::string> told_of_drags(Client& client) {
   const Json message = client.next();
   EXPECT_EQ(message["method"], "marker.dragged");
@@ -192,7 +192,7 @@ std::vector<std::string> told_of_drags(Client& client) {
 }
 using Told = std::vector<std::string>;
 
-TEST(DragSessions, AreToldToOthersWhoWatch) {
+TEST(DragSessions, AreReportedToOtherWatchers) {
   LocalServer local;
   Client other;
   (void)local.open_small();
@@ -202,7 +202,7 @@ TEST(DragSessions, AreToldToOthersWhoWatch) {
   EXPECT_EQ(told_of_drags(other), Told{"low 3 0"});
   (void)local.result("drag.move", "{'dragId':'d1','to':[7,1]}");
   EXPECT_EQ(told_of_drags(other), Told{"low 7 1"});
-  // Each is told of the other's drag only.
+  // Each is notified of the other's drag only.
   (void)local.ask(call(2, "drag.begin", R"({"markerId":"m1","piece":"high"})"), other.session());
   EXPECT_EQ(told_of_drags(local.client).size(), 1U);
   (void)local.result("drag.end", "{'dragId':'d1','markerId':'m1','commit':false}");
@@ -213,7 +213,7 @@ TEST(DragSessions, AreToldToOthersWhoWatch) {
   EXPECT_EQ(other.pending(), 0U);
 }
 
-TEST(DragSessions, AreToldToWhoeverBeginsToWatchAndEndWithTheirConnection) {
+TEST(DragSessions, AreReportedToNewWatchersAndEndWithTheirConnection) {
   LocalServer local;
   Client hand;
   (void)local.open_small();
@@ -227,7 +227,7 @@ TEST(DragSessions, AreToldToWhoeverBeginsToWatchAndEndWithTheirConnection) {
   EXPECT_EQ(local.client.pending(), 0U);
 }
 
-// Which may take long, when they are the last that hold their revisions.
+// Freeing them may take long if they hold the last references to their revisions.
 TEST(DragSessions, OfAConnectionThatEndsAreFreedByAWorker) {
   constexpr const char* kBegin = R"({"markerId":"m1","piece":"low"})";
   SlowDrag slow;
@@ -254,7 +254,7 @@ TEST(DragSessions, OfAConnectionThatEndsAreFreedByAWorker) {
   EXPECT_EQ(account->held(), before);
 }
 
-TEST(DragSessions, OfAConnectionThatHasEndedAreOverAtOnce) {
+TEST(DragSessions, EndAtOnceWithTheirConnection) {
   LocalServer local;
   Client gone;
   (void)local.open_small();

@@ -55,7 +55,7 @@ TEST(JobQueue, RunsJobsAtTheSameTime) {
   done.wait();
 }
 
-// A worker that is not woken for its job would be missed here only.
+// This is the only test that notices a worker that is not woken for its job.
 TEST(JobQueue, ExecutesAMixOfQuickAndLongJobsToTheLast) {
   constexpr int kThreads = 4;
   constexpr int kJobs = 2000;

@@ -33,7 +33,7 @@ std::uint64_t added(Library& library, const MarkerFile& file, const std::string&
   return std::get<Added>(outcome).entry.number;
 }
 
-TEST(Library, KnowsWhatWasAdded) {
+TEST(Library, ContainsAddedMarkers) {
   Library library;
   EXPECT_EQ(added(library, file_of("one", 40), "boxes"), 1U);
   const auto entry = library.find(1);
@@ -50,7 +50,7 @@ TEST(Library, KnowsWhatWasAdded) {
   EXPECT_FALSE(library.document(2));
 }
 
-TEST(Library, HasTheSameMarkerOnce) {
+TEST(Library, StoresTheSameMarkerOnce) {
   Library library;
   EXPECT_EQ(added(library, file_of("one", 40)), 1U);
   const auto again = library.add(file_of("one", 40), "");

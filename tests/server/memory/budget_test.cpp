@@ -17,7 +17,7 @@ TEST(Budget, TheWholeIsDivided) {
   }
 }
 
-TEST(Budget, WhatIsWantedIsGiven) {
+TEST(Budget, RequestedPartsAreGranted) {
   const auto budget = divided(1000 * kMiB, 7 * kMiB, 300 * kMiB);
   ASSERT_TRUE(budget);
   EXPECT_EQ(budget->sums, 7 * kMiB);

@@ -26,7 +26,7 @@ TEST(ByteAccount, AddsNothingBeyondItsLimitUnlessItMust) {
   EXPECT_EQ(account->held(), 0U);
 }
 
-TEST(ByteAccount, AnEighthIsForThoseWhoWantLittle) {
+TEST(ByteAccount, AnEighthIsReservedForThoseWhoHoldLittle) {
   const ByteAccount account{800};
   EXPECT_TRUE(account.has_room(account.beside_reserve(700)));
   EXPECT_FALSE(account.has_room(account.beside_reserve(701)));
@@ -43,7 +43,7 @@ TEST(ByteAccount, AMovedNumberIsCountedOnce) {
   EXPECT_EQ(account->held(), 0U);
 }
 
-TEST(ByteAccount, SeveralThreadsTogetherTakeNoMoreThanThereIs) {
+TEST(ByteAccount, SeveralThreadsTogetherDoNotExceedTheLimit) {
   const auto account = std::make_shared<ByteAccount>(1000);
   std::atomic<int> taken{};
   std::latch tried{4};

@@ -1,4 +1,4 @@
-// The weights are compared with what the allocator hands out.
+// Compares the weights with the memory that the allocator provides.
 #include "server/memory/weights.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ namespace {
 using test::garment_text;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMeasured = false;  // a sanitizer's allocator does not tell
-#elif defined(__has_feature)       // as clang has it
+constexpr bool kMeasured = false;  // a sanitizer's allocator does not report it
+#elif defined(__has_feature)       // the spelling in clang
 constexpr bool kMeasured = !__has_feature(address_sanitizer) && !__has_feature(thread_sanitizer);
 #else
 constexpr bool kMeasured = true;
@@ -31,7 +31,7 @@ std::size_t allocated() {
   return info.uordblks + info.hblkhd;
 }
 
-// What a value takes that `make` returns, besides the value itself.
+// The memory of a value that `make` returns, without the value itself.
 template <class Make>
 std::size_t measured(const Make& make) {
   const std::size_t before = allocated();

@@ -1,4 +1,4 @@
-// The log's queue, with files that accept nothing for a while, or never.
+// The log's queue, with files that accept nothing for some time, or never.
 #include "server/ops/log_writer.h"
 
 #include <fcntl.h>
@@ -37,7 +37,7 @@ class Pipe {
     read_ = std::make_shared<OpenFile>(ends[0]);
     write_ = std::make_shared<OpenFile>(ends[1]);
   }
-  // Fills it, so that the next write waits until it is read.
+  // Fills the pipe, so that the next write blocks until the pipe is read.
   void fill() const {
     const std::string line = std::string(127, 'f') + "\n";
     const int flags = ::fcntl(write_->descriptor(), F_GETFL);

@@ -18,7 +18,7 @@ TEST(Room, ServesThePageAndNothingElse) {
   }
 }
 
-TEST(Room, ForbidsThePageWhateverIsNotTheServers) {
+TEST(Room, AllowsThePageOnlyFilesOfTheServer) {
   const std::string_view policy = find_file("/")->policy;
   EXPECT_TRUE(policy.starts_with("default-src 'none'"));
   for (const char* loose : {"unsafe", "*", "http"}) EXPECT_EQ(policy.find(loose), std::string_view::npos) << loose;

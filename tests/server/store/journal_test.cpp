@@ -17,7 +17,7 @@
 namespace selvage::test {
 namespace {
 
-// Makes a store of schema 2 of one of the present schema.
+// Converts a store of the current schema to schema 2.
 constexpr const char* kIntoSchema2 = R"(
   ALTER TABLE snapshot RENAME TO s; ALTER TABLE step RENAME TO t; ALTER TABLE history RENAME TO h;
   ALTER TABLE answer RENAME TO a;

@@ -45,7 +45,7 @@ TEST(MarkerStore, CommitsOnlyOnTheCurrentRevision) {
   EXPECT_EQ(before->file->marker.name, "one");  // a reader's revision does not change
 }
 
-TEST(MarkerStore, KnowsNothingOfClosedMarkers) {
+TEST(MarkerStore, ForgetsClosedMarkers) {
   MarkerStore store;
   ASSERT_EQ(opened(store, "one"), "m1");
   EXPECT_EQ(store.close("m1"), Closed::kDone);

@@ -1,4 +1,4 @@
-// What markers, their histories and the answers kept for retries may take, and what happens when that is taken.
+// The memory limit for markers, their histories and the answers kept for retries, and what happens when it is reached.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMiB = std::size_t{1} << 20;
 
-// A marker of one piece whose attributes have about so many bytes.
+// A marker of one piece whose attributes have about this many bytes.
 MarkerFile marker_of(std::size_t bytes, Coord x = 0) {
   MarkerFile file;
   file.marker.strip.width = 1000;
@@ -27,7 +27,7 @@ MarkerFile marker_of(std::size_t bytes, Coord x = 0) {
 
 class StoreRoom : public ::testing::Test {
  protected:
-  // Its id; empty if there is no room.
+  // Returns the marker's id; empty if there is no room.
   std::string open(std::size_t bytes) {
     const auto opened = store.open(marker_of(bytes));
     const auto* marker = std::get_if<OpenMarker>(&opened);
@@ -45,7 +45,7 @@ class StoreRoom : public ::testing::Test {
   MarkerStore store{{.account = account, .marker_bytes = 4 * kMiB}};
 };
 
-TEST_F(StoreRoom, MarkersAreOpenedAsLongAsThereIsRoomAndNotCounted) {
+TEST_F(StoreRoom, MarkersAreLimitedByRoomAndNotByNumber) {
   std::size_t opened = 0;
   while (!open(1000).empty()) ++opened;
   EXPECT_GT(opened, 1000U);  // there is no limit of a thousand
@@ -56,7 +56,7 @@ TEST_F(StoreRoom, MarkersAreOpenedAsLongAsThereIsRoomAndNotCounted) {
   EXPECT_EQ(held(), 0U);
 }
 
-TEST_F(StoreRoom, AMarkerIsNoLargerThanOneMayBe) {
+TEST_F(StoreRoom, OneMarkerHasALimitOfItsOwn) {
   EXPECT_EQ(std::get<NotOpened>(store.open(marker_of(5 * kMiB))), NotOpened::kTooLarge);
   ASSERT_EQ(open(kMiB), "m1");
   EXPECT_EQ(commit(marker_of(5 * kMiB)).outcome, Commit::Outcome::kTooLarge);
@@ -75,7 +75,7 @@ TEST_F(StoreRoom, AttributesOfEarlierRevisionsCount) {
   EXPECT_GE(store.peek("m1", UndoDirection::kUndo)->undo_steps, 1U);
 }
 
-TEST_F(StoreRoom, AFullStoreCanStillBeWorkedOn) {
+TEST_F(StoreRoom, MarkersOfAFullStoreCanStillBeEdited) {
   ASSERT_EQ(open(100), "m1");
   while (!open(100'000).empty()) continue;
   for (int k = 1; k <= 20'000; ++k) {

@@ -1,5 +1,5 @@
-// An exception on the I/O thread ends the connection that it happened to, and nothing else: its client does not wait
-// for ever, other clients are served, and the server can be shut down.
+// An exception on the I/O thread ends only the connection in which it occurs: its client does not wait forever, other
+// clients are served, and the server can be shut down.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 
-// The next allocation of so many bytes, or more, by another thread than this one fails.
+// Makes the next allocation of at least this many bytes by any other thread fail.
 std::atomic<std::size_t> fails_from{kNever};
 std::atomic<std::thread::id> spared{};
 

@@ -1,7 +1,7 @@
-// What a page of a foreign site can make a browser send to each listener, and that none of it becomes a call.
+// Nothing that a page of a foreign site can make a browser send to a listener becomes a call.
 //
-// A browser adds the page's Origin to every POST and to every WebSocket upgrade, and the name by which the page called
-// as the Host.  A page cannot change them, but it controls the method, the body and most other headers.
+// A browser adds the page's Origin to every POST and to every WebSocket upgrade, and the name that the page used as the
+// Host.  A page cannot change them, but it controls the method, the body and most other headers.
 #include <gtest/gtest.h>
 
 #include <string>

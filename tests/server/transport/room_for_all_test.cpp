@@ -1,4 +1,5 @@
-// Nobody who opens connections can lock others out: which connection makes room, and the listener for health checks.
+// No client can lock others out by opening connections: which connection is closed to make room, and the listener for
+// health checks.
 #include <gtest/gtest.h>
 
 #include <boost/asio/io_context.hpp>
@@ -36,7 +37,7 @@ class Table : public ::testing::Test {
     table_.insert(connection, address);
     return connection;
   }
-  // The session that is closed to make room for a connection from this address; 0: none is.
+  // The session that is closed to make room for a connection from this address; 0 if none is.
   std::uint64_t closed_for(const std::string& address) {
     std::uint64_t closed = 0;
     refusal_ = table_.make_room(address, [&](const ConnectionTable::Entry& one) { closed = one->session->id; });

@@ -1,4 +1,4 @@
-// A client that reads slowly, but steadily, gets its whole answer, whatever time that takes.
+// A client that reads slowly but steadily gets its whole answer, however long that takes.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(SlowReaders, ProgressCountsAndNotTheWholeTime) {
+TEST(SlowReaders, OnlyTimeWithoutProgressIsLimited) {
   constexpr std::size_t kAnswer = std::size_t{32} << 20;  // more than the buffers of the sockets hold
   constexpr int kParts = 50;
   constexpr auto kPause = 80ms;  // 4 s in all, twice the time limit

@@ -94,7 +94,7 @@ class StagedServer {
       listen.listeners.push_back({.speaks = server::transport::access::Listener::Speaks::kHttp, .host = "127.0.0.1"});
     return listen;
   }
-  // What a message says of itself: {"weight":17, ...}.
+  // The weight that a message states for itself: {"weight":17, ...}.
   static std::size_t weight_in(std::string_view message) {
     constexpr std::string_view kField = "\"weight\":";
     const std::size_t found = message.find(kField);

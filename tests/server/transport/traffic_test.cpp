@@ -55,7 +55,7 @@ TEST(Traffic, ARequestThatIsLargerThanAllTheRoomIsRefused) {
   EXPECT_EQ(busy.answer().value_or(HttpAnswer{}).status, 503);  // larger than all the room there is
 }
 
-TEST(Traffic, WhatWaitsForRoomIsReadWhenThereIsSome) {
+TEST(Traffic, AConnectionThatWaitsForRoomIsReadWhenThereIsSome) {
   StagedServer server{TransportLimits{.traffic_bytes = 3 * kMessage}};
   std::vector<std::unique_ptr<Wire>> wires;
   std::vector<HeldCall> held;
@@ -148,7 +148,7 @@ std::string weighing(std::size_t weight, const std::string& more = "\"n\":1") {
   return "{\"weight\":" + std::to_string(weight) + "," + more + "}";
 }
 
-TEST(Traffic, WhatAnsweringAMessageTakesCountsAndIsWaitedFor) {
+TEST(Traffic, TheMemoryToAnswerAMessageIsCountedAndWaitedFor) {
   StagedServer server{TransportLimits{.traffic_bytes = 3 * kMessage, .room = 600s}};
   Wire busy{server.port()};
   busy.send(weighing(2 * kMessage, "\"hold\":1") + "\n");
@@ -171,7 +171,7 @@ TEST(Traffic, WhatAnsweringAMessageTakesCountsAndIsWaitedFor) {
   EXPECT_TRUE(holds_at_most(server, 0));
 }
 
-TEST(Traffic, AMessageThatTakesMoreThanThereEverIsIsRefusedAtOnce) {
+TEST(Traffic, AMessageThatNeedsMoreThanTheLimitIsRefusedAtOnce) {
   StagedServer server{TransportLimits{.traffic_bytes = kMessage, .room = 600s}};
   Wire http{server.port()};
   http.send(post_request(weighing(2 * kMessage)));
@@ -198,7 +198,7 @@ TEST(Traffic, AClientThatDoesNotReadItsNotificationsIsDisconnectedWhenThereIsNoR
   EXPECT_TRUE(holds_at_most(server, 0));
 }
 
-TEST(Traffic, ThoseWhoWantLittleAreServedWhateverTheOthersDo) {
+TEST(Traffic, ClientsThatNeedLittleAreServedWhateverTheOthersDo) {
   constexpr std::size_t kMiB = std::size_t{1} << 20;
   StagedServer server{TransportLimits{.traffic_bytes = 8 * kMiB, .room = 600s}};
   std::vector<std::unique_ptr<Wire>> greedy;

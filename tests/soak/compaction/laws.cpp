@@ -13,7 +13,7 @@
 namespace selvage::test {
 namespace {
 
-constexpr double kContact = 1e-4;  // part of the width: what is nearer counts as touching
+constexpr double kContact = 1e-4;  // fraction of the width within which pieces count as touching
 
 double part_gained(Coord before, Coord after) {
   return static_cast<double>(before - after) / static_cast<double>(std::max<Coord>(1, before));

@@ -1,4 +1,4 @@
-// What a compaction promises of one marker, judged against other motions and by code that shares nothing with it.
+// Laws of a compaction of one marker, checked against other motions and by independent code.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace selvage::test {
 inline constexpr double kWorthTelling = 1e-4;  // part of the length: 0.01 %
 
 struct CompactionVerdict {
-  std::string fault;       // a broken law; empty when there is none
+  std::string fault;       // the violated law; empty when there is none
   double beyond_sweeps{};  // by how much compaction ends longer than sweeps of single pieces do; part of the length
   double second_gain{};    // what compacting the answer once more gains; part of the length
   double after_bump{};     // what it gains once a piece that holds the length has been bumped to the left

@@ -33,7 +33,7 @@ Polygon diamond(Random& random) {
   const double a = std::round(between(random, 3, 15)) * 10;
   return {point_at(a, 0), point_at(2 * a, a), point_at(a, 2 * a), point_at(0, a)};
 }
-// A closed curve about the middle, whose radius alternates.
+// A closed curve around the middle with alternating radius.
 Polygon wheel(int corners, double outer, double inner, int flat) {
   Polygon polygon;
   for (int k = 0; k < corners; ++k) {
@@ -51,7 +51,7 @@ Polygon gear(Random& random) {
   const double outer = between(random, 60, 120);
   return wheel(static_cast<int>(4 * random.between(6, 24)), outer, outer * between(random, 0.8, 0.95), 2);
 }
-// Teeth up from a back.
+// Upright teeth on a bar.
 Polygon comb(Random& random) {
   const auto teeth = static_cast<int>(random.between(2, 7));
   const double pitch = std::round(between(random, 20, 50));
@@ -69,7 +69,7 @@ Polygon comb(Random& random) {
   }
   return polygon;
 }
-// A block with a slot from the right: `mouth` is how wide it opens, `slot` how wide it is behind.
+// A block with a slot from the right:  `mouth` is the width of its opening, `slot` the width behind it.
 Polygon slotted(double width, double height, double depth, double mouth, double slot) {
   const double middle = height / 2;
   const double neck = width - depth / 3;

@@ -25,7 +25,7 @@ namespace {
 constexpr int kFaultsShown = 20;
 constexpr std::size_t kCacheBytes = std::size_t{64} << 20;
 
-// Of how many markers a share was more than worth telling, and the largest share.
+// The number of markers whose share exceeded kWorthTelling, and the largest share.
 struct Rate {
   std::uint64_t count{};
   double most{};

@@ -31,7 +31,7 @@ Judged judged(const Marker& marker, const std::vector<PieceId>& pieces, const Bo
   return result;
 }
 
-// Of the pieces that may move, up to kMostCutOut in random order.
+// Up to kMostCutOut of the movable pieces, in random order.
 std::vector<PieceId> some_of(Random& random, const Marker& marker) {
   std::vector<PieceId> pieces;
   for (std::uint32_t k = 0; k < marker.pieces.size(); ++k) {

@@ -2,8 +2,8 @@
 //
 // usage: packing_soak [QUESTIONS] [SEED] [--threads N]
 //
-// So many questions of each kind.  Question k is made from the seed SEED + k, so `packing_soak 1 SEED` asks one of each
-// kind again.  Prints every fault with its seed, and the counts.  Exit status: 0 no fault; 1 faults.
+// Asks QUESTIONS questions of each kind.  Question k is made from the seed SEED + k, so `packing_soak 1 SEED` repeats
+// one of each kind.  Prints every fault with its seed, and the counts.  Exit status: 0 no fault; 1 faults.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>

@@ -27,8 +27,8 @@ Caller::Caller(const LiveDaemon& daemon, Endpoint endpoint) {
 
 void Caller::send_text(std::string text) {
   if (socket_) return socket_->send_text(std::move(text));
-  // In parts, because the kernel may not interrupt a system call: one that sends megabytes would keep a processor from
-  // the daemon for milliseconds, which a client on a machine of its own does not.
+  // Sends in parts, because the kernel may not interrupt a system call.  Sending megabytes in one call would keep a
+  // processor from the daemon for milliseconds, which a client on another machine would not.
   constexpr std::size_t kPart = std::size_t{16} << 10;
   text += '\n';
   for (std::string_view left{text}; !left.empty(); left.remove_prefix(std::min(kPart, left.size()))) {

@@ -14,7 +14,7 @@
 
 namespace selvage::trials {
 
-// Messages as the trials write and read them: a library's type, since they know only the wire.
+// The messages that the trials write and read have a library's type, because the trials use only the wire format.
 using Json = nlohmann::ordered_json;
 
 enum class Endpoint { kShared, kTcp, kUnix, kWebSocket };  // kShared: lines on HTTP's port

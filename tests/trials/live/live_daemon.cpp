@@ -13,7 +13,7 @@
 namespace selvage::trials {
 
 LiveDaemon::LiveDaemon(const std::vector<std::string>& options) {
-  // Nobody reads its log while it runs: what it warns of goes to the file, not into a pipe that would fill.
+  // Nobody reads its log while it runs, so warnings go to a file and not into a pipe, which would fill up.
   std::vector<std::string> arguments{
       SELVAGED,        "--listen", "127.0.0.1:0",      "--listen-tcp",        "127.0.0.1:0",
       "--listen-unix", path(),     "--port-file",      folder_.file("ports"), "--log-level",

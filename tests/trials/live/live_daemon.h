@@ -30,7 +30,7 @@ class LiveDaemon {
   [[nodiscard]] Resources resources() const;
   [[nodiscard]] std::string log_text() const;
 
-  // From now on it gets no more than so many bytes of addresses.
+  // Limits its address space to this many bytes from now on.
   void limit_address_space(std::size_t bytes) const;
   // Asks it to shut down and returns its exit code.
   int end();

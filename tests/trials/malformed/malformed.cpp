@@ -26,7 +26,7 @@ constexpr std::size_t kPerExtreme = 100'000;  // number of requests for each rou
 constexpr std::size_t kSweepAt = 300;         // open markers
 constexpr double kGoalMs = 100;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr double kMostGrownMb = 4096;  // a sanitiser's own memory grows, too
+constexpr double kMostGrownMb = 4096;  // with a sanitiser, whose own memory grows, too
 #else
 constexpr double kMostGrownMb = 64;
 #endif
@@ -35,7 +35,7 @@ struct Tally {
   std::atomic<std::size_t> sent{}, answered{}, closed{};
 };
 
-// The markers that one of the attackers works on: nobody else may close them.
+// The markers of one of the attackers, which nobody else may close.
 class InUse {
  public:
   void exchange(const std::string& old, const std::string& fresh) {
@@ -183,7 +183,7 @@ class LineAttack final : public Attack {
     for (std::size_t answers = 0; answers < batch.size(); answers += one_answer() ? 1 : 0) {
     }
   }
-  // False when what came is a notification.
+  // Returns false if the message was a notification.
   bool one_answer() {
     const auto text = caller_.next_text();
     if (!text) throw std::runtime_error{"a line connection has ended"};
@@ -260,7 +260,7 @@ void malformed(std::size_t count, Faults& faults) {
   }
   const double seconds = std::chrono::duration<double>{std::chrono::steady_clock::now() - began}.count();
   attacks.front()->sound.sweep(0);
-  std::this_thread::sleep_for(std::chrono::seconds{1});  // what was answered last is being freed
+  std::this_thread::sleep_for(std::chrono::seconds{1});  // the last answers are being freed
   const Resources after = daemon.resources();
   Latencies sound;
   for (const auto& attack : attacks) sound.join(attack->sound.latencies);

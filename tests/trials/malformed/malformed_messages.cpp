@@ -13,7 +13,7 @@ namespace {
 
 using test::Random;
 
-// As they are written, since some are no JSON and others no double.
+// As text, because some are not valid JSON and others are beyond the range of double.
 constexpr std::array kOddNumbers{
     "NaN",
     "-NaN",
@@ -68,7 +68,7 @@ void collect(Json& value, bool numbers_only, std::vector<Json*>& found) {
   if (value.is_number() || !numbers_only) found.push_back(&value);
 }
 
-// The request with one of its values written as `odd`; as it is when it has none.
+// The request with one of its values replaced by the text `odd`; unchanged if it has no values.
 std::string with(Json request, bool numbers_only, Random& random, std::string_view odd) {
   std::vector<Json*> places;
   collect(request, numbers_only, places);
@@ -77,7 +77,7 @@ std::string with(Json request, bool numbers_only, Random& random, std::string_vi
   return replaced(request.dump(), kPlaceholder, odd);
 }
 
-// Does the daemon owe an answer to this line?
+// Whether the daemon must answer this line.
 bool owes_answer(const std::string& text) {
   if (text.find_first_not_of(" \t\r") == std::string::npos) return false;
   const Json message = Json::parse(text, nullptr, false);

@@ -14,7 +14,7 @@ class MalformedMessages {
   explicit MalformedMessages(std::uint64_t seed);
 
   // The next message, as one line.  Golden requests about "m1" are changed to name the marker `marker_id`, so that
-  // those with small errors are processed far.  Each message gets exactly one answer; those that would get none,
+  // those with small errors pass most of the checks.  Each message gets exactly one answer; those that would get none,
   // because they are notifications or blank, are skipped.  A few turn out to be valid.
   [[nodiscard]] std::string next(const std::string& marker_id);
 

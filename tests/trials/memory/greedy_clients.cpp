@@ -32,7 +32,7 @@ Json native_marker(Caller& caller) {
   return marker;
 }
 
-// The same with a note of so many bytes, which marker.get returns with it.
+// The same document with a note of this many bytes, which marker.get returns, too.
 Json marker_with_note(Caller& caller, std::size_t bytes) {
   Json marker = native_marker(caller);
   marker["attributes"]["note"] = std::string(bytes, 'x');
@@ -90,7 +90,7 @@ void requests(const LiveDaemon& daemon, Greed& greed, Faults& faults) {
   std::jthread sender{[&] {
     try {
       for (int k = 0; k < kCalls; ++k) caller.send_text(text);
-    } catch (const std::exception&) {  // the daemon has hung up, which is counted below
+    } catch (const std::exception&) {  // the daemon has disconnected, which is counted below
     }
   }};
   std::vector<std::string> opened;
@@ -123,14 +123,14 @@ void values(const LiveDaemon& daemon, Greed& greed, Faults& faults) {
         for (int i = 0; i < 4; ++i) {
           const auto answer = caller.next_text();
           if (!answer) return void(++greed.hangups);
-          ++greed.refusals;  // it is no marker
+          ++greed.refusals;  // it is not a marker
         }
       });
     });
   }
 }
 
-// Answers kept for retries: calls with an opId whose answers name 120 pieces, on markers of their own.
+// Answers kept for retries: calls with an opId on separate markers, whose answers name 120 pieces.
 void answers(const LiveDaemon& daemon, Greed& greed, Faults& faults) {
   Caller caller{daemon, Endpoint::kTcp};
   const Json marker = native_marker(caller);

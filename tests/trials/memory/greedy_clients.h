@@ -1,4 +1,4 @@
-// Clients that try to make a daemon grow, each in one way.
+// Clients that each try, in one way, to make a daemon's memory grow.
 #pragma once
 
 #include <atomic>
@@ -11,11 +11,11 @@
 
 namespace selvage::trials {
 
-// What greedy clients were answered.
+// The answers to greedy clients.
 struct Greed {
   std::atomic<std::size_t> results{}, refusals{}, hangups{};
 
-  // A code that is neither a result's nor a refusal's is a fault.
+  // A code that belongs neither to a result nor to a refusal is a fault.
   void count(int code, Faults& faults);
 };
 

@@ -9,7 +9,7 @@
 namespace selvage::lp::integer {
 namespace {
 
-// Maximise worth of whole counts 0..3 of five things within a weight, as a minimisation.
+// A knapsack problem as a minimisation: the value of 0 to 3 copies each of five items within a weight.
 struct Knapsack {
   std::vector<int> worth, weight;
   int room{};
@@ -54,7 +54,7 @@ TEST(BranchAndCut, AgreesWithBruteForce) {
   }
 }
 
-TEST(BranchAndCut, TellsThatThereIsNoSolution) {
+TEST(BranchAndCut, ReportsThatThereIsNoSolution) {
   IntegerProgram program;
   const int x = program.add_whole_column(1, 0, 10), y = program.add_whole_column(1, 0, 10);
   const LinearProgram::Entry row[] = {{x, 2}, {y, 2}}, opposite[] = {{x, -2}, {y, -2}};
@@ -89,7 +89,7 @@ TEST(BranchAndCut, KeepsItsStartWhenCancelled) {
   EXPECT_EQ(solution.bound, -kInfinity);
 }
 
-TEST(BranchAndCut, GivesTheSameAnswerAgain) {
+TEST(BranchAndCut, IsDeterministic) {
   std::mt19937_64 random{4};
   for (int k = 0; k < 10; ++k) {
     const IntegerProgram program = random_knapsack(random).program();
@@ -100,7 +100,7 @@ TEST(BranchAndCut, GivesTheSameAnswerAgain) {
   }
 }
 
-TEST(IsSolution, SeesFractionsAndViolatedRows) {
+TEST(IsSolution, DetectsFractionsAndViolatedRows) {
   IntegerProgram program;
   const int x = program.add_whole_column(1, 0, 10);
   const LinearProgram::Entry row[] = {{x, 1}};

@@ -34,7 +34,7 @@ TEST_F(SquareBySquare, NothingBacksARowBeyondItsEdge) {
   EXPECT_EQ(backing(0, 1, {100, 30}), Backing::kNone);   // not along this row
 }
 
-TEST_F(SquareBySquare, ACornerIsNoFirmContact) {
+TEST_F(SquareBySquare, ACornerIsNotAFirmContact) {
   EXPECT_EQ(backing(1, 0, {100, 100}), Backing::kCorner);
   EXPECT_EQ(backing(0, 1, {100, 100}), Backing::kCorner);
   EXPECT_EQ(backing(1, 0, {100, -98}), Backing::kCorner);
@@ -46,7 +46,7 @@ TEST_F(SquareBySquare, ASpacingRoundsTheCorner) {
   EXPECT_EQ(backing(1, 0, {150, 120}, 50), Backing::kNone);      // farther than that
 }
 
-TEST_F(SquareBySquare, WithAnAllowanceTheContactIsThatDeep) {
+TEST_F(SquareBySquare, WithAnAllowanceAContactIsAsDeepAsAllowed) {
   EXPECT_EQ(backing(1, 0, {80, 30}, -20), Backing::kEdge);
   EXPECT_EQ(backing(1, 0, {90, 30}, -20), Backing::kNone);    // not as deep as it may be
   EXPECT_EQ(backing(0, 1, {80, 30}, -20), Backing::kNone);    // not along this row

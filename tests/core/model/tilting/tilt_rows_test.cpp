@@ -15,8 +15,8 @@ using test::Layout;
 
 constexpr double kTurn = 1e-4;  // radians
 
-// Row by row of the first pair, what a turn of either piece leaves of the room in the contact, beside what the row
-// says.
+// For each row of the first pair: the room that a rotation of either piece leaves in the contact, and the room
+// according to the row.
 std::vector<TiltRow> rows_of(const Marker& marker, double turn = 0.01) {
   SumCache sums;
   const marker::PlacedPieces pieces{marker};
@@ -27,7 +27,7 @@ std::vector<TiltRow> rows_of(const Marker& marker, double turn = 0.01) {
   return tilt_rows({0, 1}, pieces[0], pieces[1], sides, {turn, 1e6, 0, marker.spacing, ModelUnit::of(1000)});
 }
 
-// A vertex turned about a pivot.
+// A vertex rotated about a pivot.
 RealVec turned_about(RealVec v, RealVec pivot, double turn) {
   const double x = v.x - pivot.x;
   const double y = v.y - pivot.y;
@@ -54,7 +54,7 @@ TEST(TiltRows, AVertexOfTheSecondOnAnEdgeOfTheFirst) {  // equation (6.3)
   const RealVec tip{300'000, 110'000};
   const RealVec by_q = turned_about(tip, pivot_of(pieces[1]), kTurn);
   EXPECT_NEAR(row.second_turn * kTurn, by_q.y - tip.y, 1e-3 * std::abs(by_q.y - tip.y));
-  // The plate's upper edge turns about the plate's middle (200, 50): under the tip it rises.
+  // The plate's upper edge rotates about the plate's middle (200, 50) and rises below the tip.
   const double rise = 50'000 / std::cos(kTurn) - 50'000 + std::tan(kTurn) * 100'000;
   EXPECT_NEAR(row.first_turn * kTurn, -rise, 1e-3 * rise);
 }
@@ -77,7 +77,7 @@ TEST(TiltRows, EdgesAlongEachOtherAreHeldAtBothEnds) {
   const auto block = layout.shape_of(test::rectangle(200'000, 300'000));
   layout.put(plate, {0, 0}).put(block, {100'000, 100'000});
   const auto rows = rows_of(layout.marker());
-  // Whichever way either turns, some row forbids it.
+  // Some row forbids a rotation of either piece in either direction.
   for (const double sign : {1.0, -1.0}) {
     EXPECT_TRUE(
         std::any_of(rows.begin(), rows.end(), [&](const TiltRow& r) { return sign * r.second_turn < -90'000; }));
@@ -86,7 +86,7 @@ TEST(TiltRows, EdgesAlongEachOtherAreHeldAtBothEnds) {
   for (const TiltRow& row : rows) EXPECT_GE(row.row.bound, -1e-9);
 }
 
-TEST(TiltRows, WallsAreMetByWhicheverVertexComesFirst) {
+TEST(TiltRows, WallsAreTouchedByTheVertexThatReachesThemFirst) {
   Layout layout{1'000'000};
   const auto bar = layout.shape_of(test::rectangle(400'000, 100'000));
   layout.put(bar, {50'000, 0});
@@ -102,7 +102,7 @@ TEST(TiltRows, WallsAreMetByWhicheverVertexComesFirst) {
   EXPECT_EQ(std::abs(left[0].turn), 50'000);
 }
 
-TEST(TiltModel, OnlyPiecesThatMayTiltHaveAColumnMore) {
+TEST(TiltModel, OnlyPiecesThatMayTiltHaveATiltColumn) {
   Layout layout{1'000'000};
   const auto bar = layout.shape_of(test::rectangle(400'000, 100'000));
   layout.put(bar, {0, 200'000}).put(bar, {400'000, 200'000}).put(bar, {800'000, 200'000}, 0, true);

@@ -16,7 +16,7 @@ using test::Layout;
 TEST(OneAtATime, PushesARowTogether) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
-  layout.put(square, {800, 0}).put(square, {350, 0}).put(square, {20, 0});  // not in the order they lie
+  layout.put(square, {800, 0}).put(square, {350, 0}).put(square, {20, 0});  // not in the order in which they lie
   SumCache sums;
   int rounds = 0;
   scene::Observer observer;
@@ -30,8 +30,8 @@ TEST(OneAtATime, PushesARowTogether) {
   EXPECT_EQ(result->programs, 0);
 }
 
-// A wedge points between two blocks; it can only go on while the upper one rises.
-TEST(OneAtATime, CannotDoWhatTakesTwo) {
+// A wedge points between two blocks; it can only advance while the upper block rises.
+TEST(OneAtATime, CannotMakeMovesThatRequireTwoPieces) {
   Layout layout{304'000};
   const auto wedge = layout.shape_of({{0, 0}, {100'000, 50'000}, {0, 100'000}});
   const auto block = layout.shape_of(test::rectangle(100'000, 148'000));
@@ -44,7 +44,7 @@ TEST(OneAtATime, CannotDoWhatTakesTwo) {
   EXPECT_LE(together->length_after, 192'010);
 }
 
-TEST(OneAtATime, StopsWhenAskedAndWhenTheWorkIsDone) {
+TEST(OneAtATime, StopsWhenCancelledAndAtTheWorkLimit) {
   const Marker marker = test::loose_marker(7);
   SumCache sums;
   std::stop_source source;

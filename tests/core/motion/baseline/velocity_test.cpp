@@ -14,7 +14,7 @@ namespace {
 
 using test::Layout;
 
-// The time until a square of 100 at r, moving so, meets one at the origin.
+// The time until a square of size 100 at r, with this velocity, meets a square at the origin.
 double meeting(Vec r, RealVec velocity, double clearance = 0) {
   SumCache sums;
   Layout layout{1000};
@@ -32,7 +32,7 @@ TEST(CollisionTime, IsWhenTheFirstContactHappens) {
   EXPECT_DOUBLE_EQ(meeting({350, 20}, {-1, 0}, 10), 240);
 }
 
-TEST(CollisionTime, IsTheHorizonWhenNothingIsMet) {
+TEST(CollisionTime, IsTheHorizonWithoutACollision) {
   EXPECT_EQ(meeting({350, 20}, {1, 0}), 10'000);
   EXPECT_EQ(meeting({350, 20}, {0, 0}), 10'000);
   EXPECT_EQ(meeting({350, 200}, {-1, 0}), 10'000);  // passes over it
@@ -47,13 +47,13 @@ TEST(Velocity, PushesARowTogether) {
   const auto result = compact_by_velocities(layout.marker(), {}, {sums});
   ASSERT_TRUE(result);
   EXPECT_TRUE(marker::is_valid(result->marker));
-  // In a row; nothing in its model turns them into a column, and clearances are a few units.
+  // They remain in a row, because nothing in the model moves them into a column; clearances are a few units.
   EXPECT_NEAR(static_cast<double>(result->length_after), 30'000, 30);
   EXPECT_EQ(result->reason, scene::StopReason::kConverged);
   EXPECT_GT(result->programs, 2);
 }
 
-TEST(Velocity, StopsWhenAskedAndWhenTheWorkIsDone) {
+TEST(Velocity, StopsWhenCancelledAndAtTheWorkLimit) {
   const Marker marker = test::loose_marker(7);
   SumCache sums;
   std::stop_source source;

@@ -42,8 +42,8 @@ TEST(Compact, ClosesGapsBetweenRectanglesExactly) {
   EXPECT_EQ(compacted(layout.marker()).length_after, 500);
 }
 
-// A wedge whose tip fills the gap of 100 units between two squares: it gets farther only while the upper square moves
-// aside, so no motion of a single piece to the left gains anything [Li94 1.2.2].
+// A wedge whose tip fills the gap of 100 units between two squares.  It can only advance while the upper square moves
+// aside, so no leftward motion of a single piece gains anything [Li94 1.2.2].
 Layout wedge_between_squares(Coord width) {
   Layout layout{width};
   const auto square = layout.shape_of(test::rectangle(1000, 1000));
@@ -54,12 +54,12 @@ Layout wedge_between_squares(Coord width) {
 
 TEST(Compact, MovesAPieceAsideToLetAnotherPass) {
   const auto result = compacted(wedge_between_squares(2500).marker());
-  EXPECT_GE(result.length_after, 2500);  // the wedge enters until it is as wide as the room of 500 units
+  EXPECT_GE(result.length_after, 2500);  // the wedge enters until its width fills the room of 500 units
   EXPECT_LE(result.length_after, 2504);  // each slanted contact keeps a margin of a unit or two
   EXPECT_GE(result.marker.pieces[1].at.y - result.marker.pieces[0].at.y, 1498);
 }
 
-TEST(Compact, CannotWedgePiecesApartThatTheEdgesHold) {
+TEST(Compact, CannotWedgeApartPiecesThatTheEdgesHold) {
   const Marker marker = wedge_between_squares(2100).marker();
   const auto result = compacted(marker);
   EXPECT_EQ(result.length_after, result.length_before);
@@ -138,7 +138,7 @@ TEST(Compact, FindsNothingInInterlockedChevrons) {
   EXPECT_EQ(result.length_after, 7001);
 }
 
-TEST(Compact, TakesTheSlackOutOfChevronsThatFillTheStrip) {
+TEST(Compact, RemovesTheSlackBetweenChevronsThatFillTheStrip) {
   Layout layout{3 * 1000 + 333};
   const auto band = layout.shape_of(test::chevron(7001, 1000, 333));
   for (int column = 0; column < 3; ++column) {
@@ -147,7 +147,7 @@ TEST(Compact, TakesTheSlackOutOfChevronsThatFillTheStrip) {
   EXPECT_EQ(compacted(layout.marker()).length_after, 3 * 7001);
 }
 
-TEST(Compact, TakesPiecesExactlyAsWideAsTheStrip) {
+TEST(Compact, AcceptsPiecesExactlyAsWideAsTheStrip) {
   Layout layout{1000};
   const auto diamond = layout.shape_of({{0, 500}, {300, 0}, {600, 500}, {300, 1000}});
   for (int k = 0; k < 6; ++k) layout.put(diamond, {k * 700, 0});
@@ -157,7 +157,7 @@ TEST(Compact, TakesPiecesExactlyAsWideAsTheStrip) {
   EXPECT_LE(after, 6 * 600 + 5 * 4);
 }
 
-// Two squares as wide as the strip overlap by a little, so their repair needs more length than they have.
+// Two squares as wide as the strip overlap slightly, so their repair needs more length than there is.
 TEST(Compact, RespectsTheClothsEnd) {
   constexpr Coord kSide = 100'000;
   Layout layout{kSide};
@@ -253,14 +253,14 @@ TEST(Compact, EveryRuleAndSolverGivesAValidShorterMarker) {
   }
 }
 
-TEST(Compact, CompactingAgainGainsNothingMore) {
+TEST(Compact, CompactingAgainGainsNothing) {
   const auto once = compacted(test::loose_marker(21));
   const auto twice = compacted(once.marker);
   EXPECT_LE(static_cast<double>(once.length_after - twice.length_after),
             1e-5 * static_cast<double>(once.marker.strip.width));
 }
 
-TEST(Compact, PiecesOfOneShapeWithinAnothersBoxAreNoNeighboursOfTrouble) {
+TEST(Compact, HandlesAPieceInsideTheBoxOfAnother) {
   // A frame open to the right holds a small square; both can move.
   Layout layout{1000};
   const auto cup =
@@ -272,7 +272,7 @@ TEST(Compact, PiecesOfOneShapeWithinAnothersBoxAreNoNeighboursOfTrouble) {
 }
 
 // In a strip of 1000, the usual trust radius of 100 reaches 220 neighbours of each of these squares.
-TEST(Compact, OfTinyPiecesModelsOnlyTheNearest) {
+TEST(Compact, ModelsOnlyTheNearestOfManyTinyPieces) {
   constexpr int kColumns = 20;
   constexpr int kRows = 40;
   constexpr int kPieces = kColumns * kRows;

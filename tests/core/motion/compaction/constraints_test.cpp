@@ -1,4 +1,4 @@
-// What a marker maker sets holds in every motion: locks on either axis, rigid groups, buffers, margins.
+// Every motion respects constraints: locks on either axis, rigid groups, buffers and margins.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Coord kFloatDistance = 40'000;
 
-// A motion's marker, whatever the motion.
+// The resulting marker of a motion.
 Marker moved(const Marker& start, int motion) {
   SumCache sums;
   const auto settings = compaction_settings(Accuracy::kStandard);
@@ -67,7 +67,7 @@ RC_GTEST_PROP(Constraints, HoldToTheLatticeUnitInEveryMotion, ()) {
   expect_constraints_hold(start, end);
 }
 
-RC_GTEST_PROP(Constraints, HoldWhenOverlapsAreParted, ()) {
+RC_GTEST_PROP(Constraints, HoldWhenOverlapsAreSeparated, ()) {
   Marker start = random_constrained();
   for (Piece& piece : start.pieces) {
     if (piece.locked.x || !piece.group.empty()) continue;
@@ -89,7 +89,7 @@ Marker three_squares() {
 
 TEST(Compact, SlidesAPieceAlongTheAxisItIsFreeOn) {
   Marker marker = three_squares();
-  marker.pieces[1].locked = {false, true, true};  // in y: it stops at the first, which it would slide round
+  marker.pieces[1].locked = {false, true, true};  // in y: it stops at the first, around which it would otherwise slide
   SumCache sums;
   const auto result = compact(marker, compaction_settings(Accuracy::kStandard), {sums});
   ASSERT_TRUE(result);

@@ -38,8 +38,8 @@ TEST(CriticalPath, ARowOfSquaresIsHeldByEveryContact) {
   EXPECT_NEAR(hold.per_spacing, 2, 1e-6);
 }
 
-TEST(CriticalPath, SlantedContactsAreWorthWhatTheirSlopeSays) {
-  // A right triangle that would slide up another's long side is held down by the strip's upper edge.
+TEST(CriticalPath, ThePriceOfASlantedContactFollowsFromItsSlope) {
+  // A right triangle that would slide up along another's long side is held down by the strip's upper edge.
   Layout layout{400'000};
   const auto ramp = layout.shape_of({{0, 0}, {400'000, 0}, {0, 400'000}});
   layout.put(ramp, {0, 0}).put(ramp, {400'000, 400'000}, 180);
@@ -52,14 +52,14 @@ TEST(CriticalPath, SlantedContactsAreWorthWhatTheirSlopeSays) {
   EXPECT_NEAR(across, std::sqrt(2.0), 1e-6);
   EXPECT_NEAR(hold.per_spacing, std::sqrt(2.0), 1e-6);
   EXPECT_NEAR(load_on(hold, StripEdge::kTop) + load_on(hold, StripEdge::kBottom), 2,
-              1e-6);  // pressed apart up and down
+              1e-6);  // pushed apart, up and down
 }
 
-TEST(CriticalPath, SaysWhatATiltWouldBring) {
+TEST(CriticalPath, ReportsTheGainOfATilt) {
   Layout layout{1'000'000};
   const Coord run = 100'000;
   const Coord rise = 50'000;
-  // A needle from its left tip to its right one: turned so far, it is shorter by rise per radian.
+  // A needle from its left tip to its right tip.  When it is rotated, its length decreases by its rise per radian.
   layout.put(layout.shape_of({{0, 0}, {run / 2, rise / 2 - 1000}, {run, rise}, {run / 2, rise / 2 + 1000}}),
              {0, 300'000});
   const CriticalPath hold = held(layout.marker());
@@ -67,13 +67,13 @@ TEST(CriticalPath, SaysWhatATiltWouldBring) {
   EXPECT_NEAR(hold.tilts[0].per_degree, static_cast<double>(rise) * std::numbers::pi / 180, 1);
 }
 
-TEST(CriticalPath, SaysWhatALockCosts) {
+TEST(CriticalPath, ReportsThePriceOfALock) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {150'000, 0}).put(square, {250'000, 0}).put(square, {350'000, 500'000});
   Marker marker = layout.marker();
   EXPECT_TRUE(held(marker).locks.empty());
-  // The second square is locked: the third one lies against it and, with the last one free, ends the marker.
+  // The second square is locked; the third one touches it and, because the last one is free, ends the marker.
   marker.pieces[1].locked = true;
   CriticalPath hold = held(marker);
   ASSERT_EQ(hold.locks.size(), 1U);
@@ -87,7 +87,7 @@ TEST(CriticalPath, SaysWhatALockCosts) {
   ASSERT_EQ(hold.locks.size(), 1U);
   EXPECT_EQ(hold.locks[0].piece, PieceId{3});
   EXPECT_NEAR(hold.locks[0].per_x.value_or(0), -1, 1e-6);
-  // So does a lock that is on a square of its group.
+  // So does a lock on another square of its group.
   marker.pieces[3].locked = false;
   marker.pieces[0].locked = true;
   marker.pieces[0].group = marker.pieces[3].group = "two";
@@ -97,8 +97,8 @@ TEST(CriticalPath, SaysWhatALockCosts) {
   EXPECT_NEAR(hold.locks[0].per_x.value_or(0), -1, 1e-6);
 }
 
-// The price of a lock is a derivative: so much shorter does the marker become when the locked piece is moved by a
-// little.
+// The price of a lock is a derivative: how much shorter the marker becomes when the locked piece is moved
+// slightly.
 TEST(CriticalPath, ALockCostsWhatMovingThePieceSaves) {
   Layout layout{400'000};
   const auto ramp = layout.shape_of({{0, 0}, {400'000, 0}, {0, 400'000}});
@@ -126,7 +126,7 @@ TEST(CriticalPath, LoadsBalanceOnCompactedMarkers) {
   }
 }
 
-TEST(CriticalPath, RoomInASpacingIsWorthWhatItSays) {
+TEST(CriticalPath, ThePriceOfTheSpacingIsCorrect) {
   SumCache sums;
   Marker marker = test::loose_marker(3);
   marker.spacing = 1000;
@@ -140,7 +140,7 @@ TEST(CriticalPath, RoomInASpacingIsWorthWhatItSays) {
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
 
-TEST(CriticalPath, AllowancesAreWorthWhatItSays) {
+TEST(CriticalPath, ThePriceOfAllowancesIsCorrect) {
   SumCache sums;
   Marker marker = test::loose_marker(3);
   marker.overlap = 1000;
@@ -155,7 +155,7 @@ TEST(CriticalPath, AllowancesAreWorthWhatItSays) {
   EXPECT_GE(static_cast<double>(tight->length_after - shorter->length_after), 10 * hold.per_spacing - 20);
 }
 
-TEST(CriticalPath, ReportsOnlyWhatTouches) {
+TEST(CriticalPath, ReportsOnlyPiecesThatTouch) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {104'000, 0});  // 4 mm apart
@@ -167,15 +167,15 @@ TEST(CriticalPath, ReportsOnlyWhatTouches) {
   EXPECT_EQ(hold.contacts.back().first, PieceId{1});
 }
 
-// The second square is on the line of the first one's right edge, but above it.
-TEST(CriticalPath, ALineIsNoContactBeyondItsEdge) {
+// The second square touches the line of the first one's right edge, but lies above the edge.
+TEST(CriticalPath, ALineIsNotAContactBeyondItsEdge) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {100'000, 103'000});
   for (const LoadedContact& c : held(layout.marker()).contacts) EXPECT_FALSE(c.second);
 }
 
-TEST(CriticalPath, StopsWhenAsked) {
+TEST(CriticalPath, CanBeCancelled) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
@@ -184,7 +184,7 @@ TEST(CriticalPath, StopsWhenAsked) {
   EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
 }
 
-TEST(CriticalPath, RefusesWhatIsNotValid) {
+TEST(CriticalPath, RefusesInvalidMarkers) {
   Marker marker = test::loose_marker(3);
   marker.pieces[1].at = marker.pieces[0].at;
   SumCache sums;

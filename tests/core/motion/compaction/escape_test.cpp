@@ -1,4 +1,4 @@
-// Compaction where programs alone find no way: corners that touch, and lines that reach beyond their edges.
+// Compaction where linear programs alone find no motion: corners that touch, and lines that extend beyond their edges.
 #include "core/motion/compaction/escape.h"
 
 #include <gtest/gtest.h>
@@ -48,8 +48,8 @@ TEST(Escape, DiamondsCornerToCornerInterlock) {
   EXPECT_LT(compacted(full).length_after, 700'000);
 }
 
-// The wedge's tip lies on the common corner of two blocks; it can only go on while the upper one rises, which no sweep
-// of single pieces finds.
+// The wedge's tip lies on the common corner of two blocks.  It can only advance while the upper block rises, which no
+// sweep of single pieces finds.
 TEST(Escape, AWedgeEntersWhereTwoCornersMeet) {
   Layout layout{304'000};
   const auto wedge = layout.shape_of({{0, 0}, {100'000, 50'000}, {0, 100'000}});
@@ -71,7 +71,7 @@ Polygon gear(int teeth, double radius, double depth) {
 }
 
 TEST(Escape, NothingHoldsAGearInFreeSpace) {
-  // Wherever the second one starts, it passes the first and comes to the edge.
+  // Wherever the second wheel starts, it passes the first and reaches the edge.
   for (int step = 0; step < 24; ++step) {
     Layout layout{1'000'000};
     const auto wheel = layout.shape_of(gear(24, 100'000, 8'000));
@@ -89,7 +89,7 @@ TEST(Escape, IsNeverLongerThanSweepsOfFewPieces) {
   }
 }
 
-TEST(Escape, KeepsToItsRounds) {
+TEST(Escape, RespectsTheLimitOnRounds) {
   SumCache sums;
   CompactionSettings settings = compaction_settings(Accuracy::kStandard);
   settings.rounds = 1;
@@ -99,7 +99,7 @@ TEST(Escape, KeepsToItsRounds) {
   EXPECT_EQ(done->reason, scene::StopReason::kWorkLimit);
 }
 
-TEST(Escape, StopsWhenAsked) {
+TEST(Escape, CanBeCancelled) {
   SumCache sums;
   std::stop_source source;
   scene::Observer observer;

@@ -13,14 +13,14 @@ struct Point {
 };
 using Outline = std::vector<Point>;
 
-// A marker drawn piece by piece in units of the construction, wherever it may lie along x.
+// A marker built piece by piece in units of the construction, at any position along x.
 class Drawing {
  public:
   void draw(const Outline& outline, bool locked = false) { drawn_.push_back({outline, locked}); }
   void draw_box(Point low, Point high, bool locked = false) {
     draw({low, {high.x, low.y}, high, {low.x, high.y}}, locked);
   }
-  // Moved so that its left end lies `room` from the strip's.
+  // Returns the marker, moved so that its left end is `room` away from the strip's.
   [[nodiscard]] Marker marker(double width, double room = 0) const {
     double left = drawn_.front().outline.front().x;
     for (const Drawn& piece : drawn_) {
@@ -55,7 +55,7 @@ class Group {
     draw_follower(drawing);
     draw_lifter(drawing);
   }
-  // The slide of the first group, with rails that hold its height; its right end can come in by k.
+  // The slide of the first group, with rails that fix its height; its right end can move in by k.
   void draw_first_slide(Drawing& drawing) const {
     draw_rails(drawing, follower_ + 1.2);
     const double end = follower_ + 2.6 + k_;
@@ -68,7 +68,7 @@ class Group {
                   {stem_left(), kMiddle + 1},
                   {head_left(), kMiddle + 1}});
   }
-  // The slide that this group's lifter drives, and where the next group's follower hangs on it.
+  // The slide that this group's lifter drives, and the point where the next group's follower is attached to it.
   [[nodiscard]] double next_follower() const { return lifter_left() - k_ - 3.6; }
   void draw_driven_slide(Drawing& drawing, bool last) const {
     draw_rails(drawing, lifter_left() - k_ - 2.2);

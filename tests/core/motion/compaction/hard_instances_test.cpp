@@ -1,5 +1,5 @@
-// Compaction on the constructions that show what it cannot do, or only slowly: it ends, the answer is valid, and the
-// rounds it took are recorded beside what the theory says (ctest's XML: "rounds", "k_to_the_n").
+// Compaction on constructions that show what it cannot do, or only slowly.  It must end with a valid answer; the number
+// of rounds is recorded together with the theoretical number (ctest's XML:  "rounds", "k_to_the_n").
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,10 +58,10 @@ TEST_P(Bars, HoldTheUShapesWhereTheyAre) {  // no way out that only ever shorten
 }
 INSTANTIATE_TEST_SUITE_P(HardInstances, Bars, testing::Values(2, 3, 4, 6));
 
-// Each flank of a tooth is a convex region of its own, so a stroke of the last follower takes a round at least
-// [Li94 Theorem 9.4].
+// Each flank of a tooth is a separate convex region, so a stroke of the last follower takes at least one round [Li94
+// Theorem 9.4].
 class Propagation : public testing::TestWithParam<std::tuple<int, int>> {};
-TEST_P(Propagation, GoesTheWholeWayInMoreRoundsThanKToTheN) {
+TEST_P(Propagation, ReachesTheEndInMoreThanKToTheNRounds) {
   const auto [n, k] = GetParam();
   const Compaction result = compacted(test::motion_propagation(n, k));
   const double theory = std::pow(k, n);

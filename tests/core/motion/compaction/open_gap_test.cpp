@@ -22,7 +22,7 @@ double area_in_k1(const marker::UnoccupiedRegion& region) {
   return region.area / static_cast<double>(k1 * k1);
 }
 
-// Opens and checks what holds of every opening.
+// Opens a gap and checks what must hold for every opening.
 OpenedGap opened(const Marker& marker, const GapChoice& choice, const marker::UnoccupiedSettings& regions) {
   SumCache sums;
   const auto result = open_gap(marker, choice, kStandard, regions, {sums});
@@ -64,7 +64,7 @@ TEST(OpenGap, LocksHold) {
   EXPECT_NEAR(area_in_k1(gap.after), 500 * 1000, 1);
 }
 
-TEST(OpenGap, EndsWithoutALeastGainToo) {
+TEST(OpenGap, AlsoEndsWithoutAMinimumGain) {
   CompactionSettings settings = kStandard;
   settings.least_gain = 0;
   SumCache sums;
@@ -74,7 +74,7 @@ TEST(OpenGap, EndsWithoutALeastGainToo) {
   EXPECT_NEAR(area_in_k1(result->after), 700 * 1000, 1);
 }
 
-TEST(OpenGap, WithNothingToOpenNothingMoves) {  // a frame of bricks without slack
+TEST(OpenGap, MovesNothingWhereNothingCanOpen) {  // a frame of bricks without slack
   Layout layout{300 * k1};
   const auto brick = layout.shape_of(test::rectangle(200 * k1, 100 * k1));
   const auto post = layout.shape_of(test::rectangle(100 * k1, 200 * k1));
@@ -89,7 +89,7 @@ TEST(OpenGap, WithNothingToOpenNothingMoves) {  // a frame of bricks without sla
   }
 }
 
-TEST(OpenGap, RefusesWhatIsNoGap) {
+TEST(OpenGap, RefusesPointsThatAreNotInAGap) {
   SumCache sums;
   const Marker marker = walls(false).marker();
   EXPECT_EQ(open_gap(marker, AwayFromPoint{{250 * k1, 500 * k1}}, kStandard, kEverything, {sums}).error().field,
@@ -98,8 +98,8 @@ TEST(OpenGap, RefusesWhatIsNoGap) {
   EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
-// Of a list that healing makes shorter: it closes the slit before the second wall.
-TEST(OpenGap, ARegionsNumberIsThatOfTheMarkerAsItComes) {
+// Repair closes the slit before the second wall, so the list of regions becomes shorter.
+TEST(OpenGap, RegionsAreNumberedAsInTheInput) {
   Layout layout{1000 * k1};
   const auto wall = layout.shape_of(test::rectangle(100 * k1, 1000 * k1));
   layout.put(wall, {0, 0}, 0, true).put(wall, {100 * k1 + 100, 0});
@@ -113,7 +113,7 @@ TEST(OpenGap, ARegionsNumberIsThatOfTheMarkerAsItComes) {
   EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kStandard, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
-TEST(OpenGap, StoppedBeforeItFoundTheGapSaysSo) {
+TEST(OpenGap, ReportsThatItWasCancelledBeforeItFoundTheGap) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
@@ -124,7 +124,7 @@ TEST(OpenGap, StoppedBeforeItFoundTheGapSaysSo) {
   }
 }
 
-TEST(OpenGap, StopsWhenAsked) {
+TEST(OpenGap, CanBeCancelled) {
   SumCache sums;
   std::stop_source source;
   scene::Observer observer;
@@ -139,7 +139,7 @@ TEST(OpenGap, StopsWhenAsked) {
 
 class GarmentGaps : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(GarmentGaps, TheLargestGrows) {
+TEST_P(GarmentGaps, TheLargestGapGrows) {
   const Marker marker = test::garment(GetParam());
   const marker::UnoccupiedSettings settings = unoccupied_settings(marker.strip);
   const auto regions = unoccupied_regions(marker, settings);

@@ -23,7 +23,7 @@ Push pushed(const Marker& marker, const std::vector<Force>& forces) {
   return *result;
 }
 
-TEST(Push, MovesAPieceAndWhatIsInItsWay) {
+TEST(Push, MovesAPieceAndThePiecesInItsWay) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 450}).put(square, {150, 450}).put(square, {900, 0});
@@ -63,7 +63,7 @@ TEST(Push, WithoutForcesNothingMoves) {
   EXPECT_EQ(pushed(marker, {{PieceId{0}, 0, 0}}).marker, marker);
 }
 
-TEST(Push, RefusesForcesThatAreNone) {
+TEST(Push, RefusesInvalidForces) {
   SumCache sums;
   const Marker marker = test::loose_marker(4);
   const std::vector<Force> nobody{{PieceId{99}, 1, 0}};

@@ -19,7 +19,7 @@ Marker squares(std::vector<Vec> at, Coord width) {
   return marker;
 }
 
-TEST(Drag, AFreePlaceIsTakenAlsoBeyondTheEnd) {
+TEST(Drag, AFreePositionIsTakenEvenBeyondTheEnd) {
   const Marker start = squares({{0, 0}, {1000, 0}}, 4000);
   SumCache sums;
   EXPECT_EQ(drag(start, PieceId{0}, {7000, 2500}, DragMode::kPlace, {sums}).marker.pieces[0].at, (Vec{7000, 2500}));
@@ -43,7 +43,7 @@ TEST(Drag, PlacingLeavesTheOthersAndPushingMovesThem) {
   EXPECT_EQ(pushed.marker.pieces[2].at, start.pieces[2].at);
 }
 
-TEST(Drag, AGroupFollowsItsPieceAndAnAxisThatIsLockedStays) {
+TEST(Drag, AGroupFollowsItsPieceAndALockedAxisIsKept) {
   Marker start = squares({{0, 0}, {1000, 1000}, {3000, 0}}, 4000);
   start.pieces[0].group = start.pieces[1].group = "pair";
   SumCache sums;
@@ -57,7 +57,7 @@ TEST(Drag, AGroupFollowsItsPieceAndAnAxisThatIsLockedStays) {
   EXPECT_EQ(drag(start, PieceId{2}, {4000, 2000}, DragMode::kPlace, {sums}).marker.pieces[2].at, (Vec{4000, 0}));
 }
 
-TEST(Drag, WhatIsLockedStays) {
+TEST(Drag, LockedPiecesStay) {
   Marker start = squares({{0, 0}, {1000, 0}, {0, 1000}}, 2000);
   start.pieces[1].locked = true;
   SumCache sums;
@@ -65,7 +65,7 @@ TEST(Drag, WhatIsLockedStays) {
   EXPECT_EQ(drag(start, PieceId{0}, {900, 0}, DragMode::kPush, {sums}).marker.pieces[1].at, start.pieces[1].at);
 }
 
-RC_GTEST_PROP(Drag, WhateverTheHandDoesTheMarkerStaysValid, ()) {
+RC_GTEST_PROP(Drag, TheMarkerStaysValidWhateverTheMoves, ()) {
   std::vector<Vec> at;
   for (Coord i = 0; i < 4; ++i) {
     for (Coord k = 0; k < 3; ++k) {

@@ -46,7 +46,7 @@ double motion_of(const Marker& before, const Marker& after) {
   return sum;
 }
 
-// Bars across the whole strip: nothing to do but to share out 600 mm of room among three gaps.
+// Bars across the whole strip: all that can be done is to distribute 600 mm of room among three gaps.
 Marker bars(std::initializer_list<Coord> at = {0, 100, 250, 900}) {
   Layout layout{1000 * kMm};
   const auto bar = layout.shape_of(test::rectangle(100 * kMm, 1000 * kMm));
@@ -54,7 +54,7 @@ Marker bars(std::initializer_list<Coord> at = {0, 100, 250, 900}) {
   return layout.marker();
 }
 
-TEST(FloatApart, PartsWhatOverlapsAsItMay) {
+TEST(FloatApart, SeparatesAllowedOverlaps) {
   Marker marker = bars({0, 99, 250, 900});
   marker.overlap = 2 * kMm;
   const auto result = floated(marker, settings_for(FloatMode::kLargestMinimum, 5000 * kMm));
@@ -67,7 +67,7 @@ TEST(FloatApart, PartsWhatOverlapsAsItMay) {
 
 TEST(FloatApart, LargestMinimumSharesARowsRoomEqually) {
   const auto result = floated(bars(), settings_for(FloatMode::kLargestMinimum, 5000 * kMm));
-  EXPECT_EQ(result.length_after, 1000 * kMm);  // the outer bars cannot come in without taking room away
+  EXPECT_EQ(result.length_after, 1000 * kMm);  // the outer bars cannot move inwards without reducing the room
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_NEAR(static_cast<double>(result.marker.pieces[k].at.x),
                 static_cast<double>(300 * kMm) * static_cast<double>(k), 1);
@@ -101,7 +101,7 @@ TEST(FloatApart, LargestTotalUsesAllTheRoom) {
   EXPECT_NEAR(total, 600.0 * kMm, 1);
 }
 
-TEST(FloatApart, TheEdgesCountWhenAsked) {
+TEST(FloatApart, GapsToTheEdgesCountOnRequest) {
   Layout layout{1000 * kMm};
   const auto square = layout.shape_of(test::rectangle(100 * kMm, 100 * kMm));
   for (const Coord x : {0, 100, 250, 900}) layout.put(square, {x * kMm, 450 * kMm});
@@ -144,15 +144,15 @@ TEST(FloatApart, GivenDistanceTakesTheLeastMotion) {
   EXPECT_EQ(motion_of(layout.marker(), result.marker), 90.0 * kMm);  // 50 for the first two, 40 for the others
 }
 
-TEST(FloatApart, GivenDistanceComesAsNearAsThereIsRoom) {
+TEST(FloatApart, GivenDistanceIsApproachedAsFarAsThereIsRoom) {
   const auto result = floated(between_locked_bars(20, 200), settings_for(FloatMode::kGivenDistance, 150 * kMm));
   EXPECT_FALSE(result.reached);
-  // 200 to share: either gap may be anything from 50 to 150 for the same total; the least motion is 30.
+  // There are 200 to share: either gap may be anything from 50 to 150 for the same total; the least motion is 30.
   EXPECT_EQ(result.marker.pieces[2].at.x, 150 * kMm);
   EXPECT_EQ(result.least_after, 50 * kMm);
 }
 
-TEST(FloatApart, LeavesAMarkerThatHasTheDistanceAlone) {
+TEST(FloatApart, DoesNotChangeAMarkerThatHasTheDistance) {
   const Marker marker = between_locked_bars(150, 300);
   const auto result = floated(marker, settings_for(FloatMode::kGivenDistance, 150 * kMm));
   EXPECT_TRUE(result.reached);
@@ -182,7 +182,7 @@ TEST(FloatApart, ACriticalSetStopsTheLargestMinimum) {
   EXPECT_EQ(result.critical[0].gaps, chain_gaps());
 }
 
-TEST(FloatApart, TwoStepGoesOnPastTheCriticalSet) {
+TEST(FloatApart, TwoStepContinuesBeyondTheCriticalSet) {
   const auto result = floated(critical_chain(), settings_for(FloatMode::kTwoStep, 90 * kMm));
   EXPECT_EQ(result.length_after, 1000 * kMm);
   ASSERT_GE(result.critical.size(), 2U);
@@ -195,7 +195,7 @@ TEST(FloatApart, TwoStepGoesOnPastTheCriticalSet) {
   }
 }
 
-TEST(FloatApart, RefusesDistancesThatAreNone) {
+TEST(FloatApart, RefusesInvalidDistances) {
   SumCache sums;
   for (const Coord distance : {Coord{0}, Coord{-5}, kLatticeLimit}) {
     const auto result = float_apart(bars(), float_settings(FloatMode::kTwoStep, distance), {sums});
@@ -205,7 +205,7 @@ TEST(FloatApart, RefusesDistancesThatAreNone) {
   }
 }
 
-TEST(FloatApart, StopsWhenAskedAndAtTheWorkLimit) {
+TEST(FloatApart, StopsWhenCancelledAndAtTheWorkLimit) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();

@@ -54,7 +54,7 @@ TEST(Bump, GoesRoundACornerThatOnlyTouches) {  // the corner blocks neither way:
   EXPECT_EQ(bumped(layout.marker(), 1, 0, -1).at, (Vec{600, 0}));
 }
 
-TEST(Bump, LeavesLockedPieces) {
+TEST(Bump, DoesNotMoveLockedPieces) {
   Layout layout{1000};
   layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400}, 0, true);
   EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{5000, 400}));
@@ -78,7 +78,7 @@ TEST(Bump, UsesTheAllowance) {
   EXPECT_EQ(left.touching, (std::vector<PieceId>{PieceId{0}}));
 }
 
-TEST(Bump, OfAMarkerAsItComesHealsFirst) {
+TEST(Bump, RepairsSmallOverlapsFirst) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {99'990, 50'000});  // they overlap by less than the healing limit
@@ -93,9 +93,9 @@ TEST(Bump, OfAMarkerAsItComesHealsFirst) {
   EXPECT_EQ(repair_and_bump(layout.marker(), PieceId{1}, 0, 1, {sums}).error().code, ErrorCode::kMarkerOverlaps);
 }
 
-// The best point that can be slid to from `at`, straight and within `reach` lattice units, by trying all ways and every
-// lattice point near them: what a local optimum must not fall short of.  Free points behind a pinch narrower than the
-// lattice are not slid to.
+// The best point that can be reached from `at` by sliding straight for at most `reach` lattice units, found by trying
+// all directions and every lattice point near them.  A local optimum must not be worse.  Free points behind a passage
+// narrower than the lattice cannot be reached.
 double best_small_gain(const Marker& marker, std::uint32_t piece, double ux, double uy, int reach) {
   const Coord end = length_of(marker);
   double best = 0;
@@ -124,7 +124,7 @@ RC_GTEST_PROP(BumpLaws, EndsAtALocalOptimum, ()) {
   const double angle = *rc::gen::element(0.0, 0.5, 1.0, 0.3, 1.7, 1.25) * std::numbers::pi;
   const Bump result = bumped(marker, piece, std::cos(angle), std::sin(angle));
   marker.pieces[piece].at = result.at;
-  // A way on would gain a good part of each step; a few units are rounding.
+  // If it could move on, it would gain a good part of each step; a few units are rounding.
   RC_ASSERT(best_small_gain(marker, piece, std::cos(angle), std::sin(angle), 16) <= 4.0);
 }
 

@@ -24,7 +24,7 @@ TEST(LargestSquare, FillsABox) {
   EXPECT_NEAR(square.half, 20, 1e-6);
 }
 
-TEST(LargestSquare, StandsInATriangle) {  // below x + y = 0, right of x = -100, above y = -100
+TEST(LargestSquare, FitsIntoATriangle) {  // below x + y = 0, right of x = -100, above y = -100
   const std::vector<CellSide> triangle{side(-1, -1, 0), {1, 0, 100}, {0, 1, 100}};
   const Square square = largest_square(triangle, 1000);
   EXPECT_NEAR(square.centre.x, -50, 1e-6);
@@ -32,14 +32,14 @@ TEST(LargestSquare, StandsInATriangle) {  // below x + y = 0, right of x = -100,
   EXPECT_NEAR(square.half, 50, 1e-6);
 }
 
-TEST(LargestSquare, SaysByHowMuchAnEmptyCellFails) {
+TEST(LargestSquare, ReportsByHowMuchAnEmptyCellIsInfeasible) {
   const std::vector<CellSide> empty{{1, 0, -30}, {-1, 0, 10}};
   const Square square = largest_square(empty, 1000);
   EXPECT_NEAR(square.half, -10, 1e-6);
   EXPECT_NEAR(square.centre.x, 20, 1e-6);
 }
 
-TEST(LargestSquare, LooksNoFartherThanItsReach) {
+TEST(LargestSquare, IsLimitedToItsReach) {
   EXPECT_EQ(largest_square({}, 100).half, 100);
   const std::vector<CellSide> far{{1, 0, -500}};
   const Square square = largest_square(far, 100);
@@ -50,7 +50,7 @@ TEST(LargestSquare, LooksNoFartherThanItsReach) {
 // The same program, by another method.
 double by_interior_point(const std::vector<CellSide>& cell, double reach) {
   lp::LinearProgram program;
-  // In units of the reach, as solvers like it.
+  // In units of the reach, which suits solvers.
   program.add_column(0, -1, 1);
   program.add_column(0, -1, 1);
   program.add_column(-1, -lp::kInfinity, 1);

@@ -35,13 +35,13 @@ TEST(Relax, PutsAPieceInTheMiddleOfItsRoom) {
   EXPECT_LE(result.piece.at.x, 351);
 }
 
-TEST(Relax, SpacingIsNoRoom) {
+TEST(Relax, SpacingDoesNotCountAsRoom) {
   Marker marker = chamber({250, 160});
   marker.spacing = 10;
   EXPECT_NEAR(relaxed(marker, 0).freedom, 40, 1);
 }
 
-TEST(Relax, TheMarkerEndsWhereItEnds) {
+TEST(Relax, TheEndOfTheMarkerLimitsTheRoom) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 300}).put(square, {200, 900});
@@ -58,7 +58,7 @@ TEST(Relax, ALockedPieceStays) {
   EXPECT_EQ(result.freedom, 0);
 }
 
-TEST(RelaxTilted, APieceThatLeansComesStraight) {
+TEST(RelaxTilted, ATiltedPieceIsStraightened) {
   Layout layout{100'000};
   const auto bar = layout.shape_of(test::rectangle(900'000, 60'000));
   const auto wall = layout.shape_of(test::rectangle(50'000, 100'000));
@@ -74,7 +74,7 @@ TEST(RelaxTilted, APieceThatLeansComesStraight) {
   EXPECT_LT(leaning.freedom, 15'000);
 }
 
-TEST(RelaxTilted, KeepsToItsLimit) {
+TEST(RelaxTilted, RespectsTheTiltLimit) {
   Marker marker = chamber({250, 160});
   marker.shapes[0].tilt_limit = Angle::of_degrees(0);
   EXPECT_EQ(relaxed(marker, 0, 9).piece.orientation, marker.pieces[0].orientation);

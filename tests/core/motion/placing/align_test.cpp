@@ -42,7 +42,7 @@ TEST(Align, PutsTheSidesOnTheLineOfTheOutermost) {
   EXPECT_EQ(right.marker.pieces[1], stair().pieces[1]);
 }
 
-TEST(Align, GoesAsNearAsThereIsRoom) {
+TEST(Align, MovesPiecesAsFarAsThereIsRoom) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 0}).put(square, {200, 0}).put(square, {600, 50});
@@ -52,7 +52,7 @@ TEST(Align, GoesAsNearAsThereIsRoom) {
 }
 
 // The aligned position is free, though a piece lies on the way to it.
-TEST(Align, PassesWhatLiesBetween) {
+TEST(Align, PassesPiecesInBetween) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 200}).put(square, {200, 0}).put(square, {600, 50});
@@ -75,7 +75,7 @@ TEST(Align, MovesGroupsWholeAndLeavesLockedPieces) {
   EXPECT_EQ(locked.marker.pieces[1], marker.pieces[1]);
 }
 
-TEST(Align, AgainChangesNothing) {
+TEST(Align, RepeatedChangesNothing) {
   const Alignment once = aligned(stair(), {{0}, {1}, {2}}, StripEdge::kTop);
   EXPECT_EQ(aligned(once.marker, {{0}, {1}, {2}}, StripEdge::kTop).marker, once.marker);
 }

@@ -36,7 +36,7 @@ std::optional<Place> placed(const Marker& marker, std::uint32_t piece, Vec wante
   return found;
 }
 
-TEST(Place, KeepsWhatIsFree) {
+TEST(Place, KeepsAFreePosition) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 0}).put(square, {900, 0});
@@ -53,7 +53,7 @@ TEST(Place, ComesBackIntoTheStrip) {
   EXPECT_EQ(placed(layout.marker(), 0, {5000, 500})->at, (Vec{900, 500}));
 }
 
-TEST(Place, LeavesAnotherPieceTheShortestWay) {
+TEST(Place, LeavesAnotherPieceByTheShortestWay) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 0}).put(square, {500, 500}).put(square, {900, 900});
@@ -115,7 +115,7 @@ TEST(Place, GoesAlongTheStripsEdgeToABorderThatTheAllowanceMoved) {
   EXPECT_FALSE(is_valid(with(layout.marker(), 1, found->at - Vec{0, 80})));  // two units from the slope
 }
 
-TEST(Place, SaysWhenThereIsNoRoom) {
+TEST(Place, ReportsWhenThereIsNoRoom) {
   Layout layout{100};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {0, 0}).put(square, {100, 0}).put(square, {50, 0});  // the third lies on the others
@@ -137,7 +137,7 @@ TEST(Place, KeepsLocksGroupsBuffersAndMargins) {
   layout.put(square, {300, 300}).put(square, {600, 300}).put(square, {900, 850}).put(square, {700, 300});
   Marker marker = layout.marker();
   marker.pieces[0].locked = Locks{false, true, false};
-  EXPECT_EQ(placed(marker, 0, {520, 700})->at, (Vec{500, 300}));  // along its line only
+  EXPECT_EQ(placed(marker, 0, {520, 700})->at, (Vec{500, 300}));  // only along its free axis
   marker.pieces[0].locked = true;
   EXPECT_EQ(placed(marker, 0, {520, 700})->at, (Vec{300, 300}));
   marker.pieces[0].locked = false;
@@ -154,7 +154,7 @@ TEST(Place, KeepsLocksGroupsBuffersAndMargins) {
   EXPECT_EQ(answer->marker.pieces[3].at, (Vec{190, 330}));
 }
 
-TEST(Place, OfAMarkerAsItComesHealsTheOthersOnly) {
+TEST(Place, RepairsOnlyTheOtherPieces) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}).put(square, {99'990, 50'000}).put(square, {50'000, 20'000});
@@ -167,7 +167,7 @@ TEST(Place, OfAMarkerAsItComesHealsTheOthersOnly) {
   EXPECT_EQ(answer->marker.pieces[2].at, answer->place->at);
 }
 
-// The nearest free position of a grid, and the piece's own: the free one that place() must not be farther than.
+// The nearest free position among those of a grid and the piece's own.  The result of place() must not be farther away.
 double nearest_by_trying(const Marker& marker, std::uint32_t piece, Vec wanted, Coord step) {
   const Polygon own =
       oriented(marker.shapes[marker.pieces[piece].shape.value].outline, marker.pieces[piece].orientation);
@@ -192,7 +192,7 @@ double nearest_by_trying(const Marker& marker, std::uint32_t piece, Vec wanted, 
   return best;
 }
 
-// Some pieces, tighter than loose_marker has them, and a piece to put down among them.
+// Some pieces, closer together than in loose_marker, and a piece to place among them.
 struct Drop {
   Marker marker;
   std::uint32_t piece{};

@@ -14,7 +14,7 @@ namespace {
 
 using test::Layout;
 
-// Two wedges and two squares on a strip of 10^6 units: the healing limit is 100 units.
+// Two wedges and two squares on a strip of 10^6 units: overlaps of up to 100 units are repaired.
 Marker pair_overlapping_by(Coord depth) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(200'000, 200'000));
@@ -30,7 +30,7 @@ Result<Repair> healed(const Marker& marker, Marker& out) {
   return repair;
 }
 
-TEST(Heal, DoesNothingToAValidMarker) {
+TEST(Repair, DoesNothingToAValidMarker) {
   Marker out;
   const Marker start = pair_overlapping_by(0);
   const auto repair = healed(start, out);
@@ -39,7 +39,7 @@ TEST(Heal, DoesNothingToAValidMarker) {
   EXPECT_EQ(out, start);
 }
 
-TEST(Heal, PartsASmallOverlapByAsMuchAsItIsDeep) {
+TEST(Repair, SeparatesASmallOverlapByItsDepth) {
   for (const Coord depth : {Coord{1}, Coord{7}, Coord{100}}) {
     Marker out;
     const auto repair = healed(pair_overlapping_by(depth), out);
@@ -48,11 +48,11 @@ TEST(Heal, PartsASmallOverlapByAsMuchAsItIsDeep) {
     EXPECT_EQ(repair->pairs, 1U);
     EXPECT_NEAR(repair->deepest, static_cast<double>(depth), 1e-6);
     EXPECT_LE(repair->farthest_move, depth);
-    EXPECT_EQ(repair->lengthened, depth);  // the left edge holds one square: only the right one can give
+    EXPECT_EQ(repair->lengthened, depth);  // the left edge holds one square, so only the right one can move
   }
 }
 
-TEST(Heal, RefusesDeepOverlapsAndNamesThem) {
+TEST(Repair, RefusesDeepOverlapsAndNamesThem) {
   Marker out;
   const Marker start = pair_overlapping_by(101);
   const auto repair = healed(start, out);
@@ -62,7 +62,7 @@ TEST(Heal, RefusesDeepOverlapsAndNamesThem) {
   EXPECT_EQ(out, start);
 }
 
-TEST(Heal, BringsBackPiecesThatLeaveTheStripByALittle) {
+TEST(Repair, ReturnsPiecesThatLeaveTheStripSlightly) {
   Marker start = pair_overlapping_by(0);
   start.pieces[0].at = {-5, -50};
   Marker out;
@@ -77,7 +77,7 @@ TEST(Heal, BringsBackPiecesThatLeaveTheStripByALittle) {
   EXPECT_EQ(refused.error().field, "/pieces/0/at");
 }
 
-TEST(Heal, SaysWhenThereIsNoRoom) {
+TEST(Repair, ReportsWhenThereIsNoRoom) {
   Marker start = pair_overlapping_by(50);
   for (Piece& piece : start.pieces) piece.locked = true;
   Marker out;
@@ -87,7 +87,7 @@ TEST(Heal, SaysWhenThereIsNoRoom) {
   EXPECT_EQ(out, start);
 }
 
-TEST(Heal, SaysWhenItWasStoppedBeforeTheEnd) {
+TEST(Repair, ReportsWhenItWasCancelled) {
   std::stop_source source;
   source.request_stop();
   SumCache sums;
@@ -99,7 +99,7 @@ TEST(Heal, SaysWhenItWasStoppedBeforeTheEnd) {
   EXPECT_EQ(scene.result(), start);
 }
 
-TEST(Heal, PartsPiecesCloserThanTheSpacing) {
+TEST(Repair, SeparatesPiecesCloserThanTheSpacing) {
   Marker start = pair_overlapping_by(-950);
   start.spacing = 1000;
   Marker out;
@@ -109,7 +109,7 @@ TEST(Heal, PartsPiecesCloserThanTheSpacing) {
   EXPECT_NEAR(repair->deepest, 50, 1e-6);
 }
 
-// The columns of the largest program that healing the marker solves.
+// The columns of the largest program that is solved to repair the marker.
 int most_columns(const Marker& marker, Marker& out) {
   int most = 0;
   scene::Observer observer;
@@ -122,18 +122,19 @@ int most_columns(const Marker& marker, Marker& out) {
   return most;
 }
 
-TEST(Heal, ModelsNoMoreThanWhatOverlaps) {
+TEST(Repair, ModelsOnlyPiecesThatOverlap) {
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(90'000, 90'000));
   for (Coord i = 0; i < 100; ++i) layout.put(square, {i / 10 * 100'000, i % 10 * 100'000});
   Marker marker = layout.marker();
   marker.pieces[54].at.y += 10'050;  // into the next by 50
   Marker out;
-  EXPECT_EQ(most_columns(marker, out), 9);  // of two pieces: where to, and how far; and the length
+  EXPECT_EQ(most_columns(marker, out), 9);  // of two pieces, their targets and distances; and the length
   EXPECT_EQ(out.pieces[53], marker.pieces[53]);
 }
 
-TEST(Heal, ModelsWhatIsPushedOn) {  // nine in a stack, of which the lowest two overlap: all but the lowest go up
+TEST(Repair,
+     ModelsPiecesThatArePushedInTurn) {  // nine in a stack, of which the lowest two overlap: all but the lowest go up
   Layout layout{1'000'000};
   const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
   layout.put(square, {0, 0}, 0, true);
@@ -147,7 +148,7 @@ TEST(Heal, ModelsWhatIsPushedOn) {  // nine in a stack, of which the lowest two 
   }
 }
 
-TEST(Heal, ShakenCompactedMarkersHealAndStayAsShort) {
+TEST(Repair, PerturbedCompactedMarkersAreRepairedAtTheSameLength) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
     const auto tight = compact(test::loose_marker(seed), compaction_settings(compaction::Accuracy::kStandard), {sums});

@@ -23,7 +23,7 @@ Marker striped() {
   return marker;
 }
 
-TEST(Rules, CompactionKeepsARepeatAndSaysWhatItCosts) {
+TEST(Rules, CompactionKeepsARepeatAndReportsItsPrice) {
   Marker narrow = striped();
   narrow.strip.width = kSide;
   narrow.pieces[1].at.x = 140'000;  // the gap before it is too short for a square

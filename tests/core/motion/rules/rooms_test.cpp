@@ -1,5 +1,5 @@
-// Bands, selvedges, folds and shades in motions: that they are kept, that they hold back no more than they say, and
-// what they cost.
+// Bands, selvedges, folds and shades in motions: they are kept, they restrict no more than specified, and their prices
+// are correct.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,8 +31,9 @@ TEST(Rules, CompactionStopsAtTheBeginningOfABand) {
   EXPECT_TRUE(std::none_of(path.contacts.begin(), path.contacts.end(), at_an_edge));
 }
 
-// Two squares behind each other, the second one held back by the end of its band: the first has to wait for nothing.
-TEST(Rules, APieceAtTheEndOfItsBandIsNotPushedBeyondIt) {
+// Two squares behind each other, of which the second is held back by the end of its band: this must not hold back the
+// first.
+TEST(Rules, APieceAtTheEndOfItsBandIsNotPushedOutOfIt) {
   Marker marker = squares({{0, 0}, {200'000, 0}});
   marker.pieces[1].rules.to = 320'000;
   SumCache sums;
@@ -73,14 +74,14 @@ Marker diamonds() {
   return layout.marker();
 }
 
-TEST(Rules, ASelvedgeIsWorthWhatItSays) {
+TEST(Rules, ThePriceOfASelvedgeIsCorrect) {
   Marker marker = diamonds();
   EXPECT_TRUE(held(marker).rules.empty());
   marker.strip.above = 0;
   EXPECT_NEAR(worth_of(held(marker), Rule::kAbove, std::nullopt), 1, 1e-6);
   marker.pieces[0].rules.below = 0;
   EXPECT_NEAR(worth_of(held(marker), Rule::kBelow, PieceId{0}), 1, 1e-6);
-  // What a selvedge of ten units costs.
+  // The price of a selvedge of ten units.
   marker.strip.width += 10;
   marker.strip.above = 10;
   const Coord with = length_of(compacted(marker));
@@ -88,7 +89,7 @@ TEST(Rules, ASelvedgeIsWorthWhatItSays) {
   EXPECT_NEAR(static_cast<double>(with - length_of(compacted(marker))), 10, 3);
 }
 
-TEST(Rules, AFoldFixesAPieceAcrossAndCostsWhatItHoldsBack) {
+TEST(Rules, AFoldFixesAPieceAcrossTheStripAndReportsItsPrice) {
   Layout layout{250'000};
   const auto roof = layout.shape_of({{0, 0}, {200'000, 0}, {100'000, 100'000}});
   const auto diamond = layout.shape_of(kDiamond);
@@ -157,7 +158,7 @@ TEST(Rules, SeparationBringsPiecesIntoTheirRoomsAndShadesTogether) {
   EXPECT_TRUE(is_valid(done->marker));
 }
 
-TEST(Rules, AShadeThatIsTooLongIsNamed) {
+TEST(Rules, AShadeThatIsTooLongIsReported) {
   Marker marker = squares({{0, 0}, {700'000, 0}});
   marker.shade = 400'000;
   for (Piece& piece : marker.pieces) piece.rules.shade = "M-A";
@@ -168,7 +169,7 @@ TEST(Rules, AShadeThatIsTooLongIsNamed) {
   EXPECT_NE(refused.error().message.find("M-A"), std::string::npos);
 }
 
-TEST(Rules, RepairPutsBackWhatIsOutByALittle) {
+TEST(Rules, RepairReturnsPiecesThatLeaveTheirRoomSlightly) {
   Marker marker = squares({{0, 0}, {300'010, 0}, {500'000, 500'000}});
   marker.shade = 400'000;
   for (const std::size_t piece : {0, 1}) marker.pieces[piece].rules.shade = "A";

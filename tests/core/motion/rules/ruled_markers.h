@@ -1,4 +1,4 @@
-// Markers whose pieces have rules of their own, and what is asked of them.
+// Markers whose pieces have rules of their own, and functions that query them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ inline compaction::CriticalPath held(const Marker& marker) {
   return *path;
 }
 
-// What a rule of a piece costs, per unit; 0 when it holds nothing back.
+// The price of a piece's rule, per unit; 0 when the rule has no effect on the length.
 inline double worth_of(const compaction::CriticalPath& path, Rule rule, std::optional<PieceId> piece) {
   const auto price = std::find_if(path.rules.begin(), path.rules.end(), [&](const compaction::RulePrice& one) {
     return one.rule == rule && one.piece == piece;

@@ -1,4 +1,4 @@
-// Zones in motions: no piece lies on one but those that accept its quality.
+// Zones in motions: only pieces that accept a zone's quality may lie on it.
 #include <gtest/gtest.h>
 
 #include "core/marker/validity.h"
@@ -21,7 +21,7 @@ Marker flawed(Coord width) {
   return *make_marker(std::move(marker));
 }
 
-TEST(Rules, CompactionStopsAtAZoneAndSaysWhatItCosts) {
+TEST(Rules, CompactionStopsAtAZoneAndReportsItsPrice) {
   const Marker tight = compacted(flawed(kSide));
   EXPECT_EQ(tight.pieces[0].at.x, 0);
   EXPECT_EQ(tight.pieces[1].at.x, 250'000);
@@ -71,7 +71,7 @@ TEST(Rules, EveryMotionOfOnePieceGoesOverZonesThatItAccepts) {
   EXPECT_TRUE(is_valid(apart->marker));
 }
 
-TEST(Rules, AZoneBehindTheMarkerHoldsNothing) {
+TEST(Rules, AZoneBehindTheMarkerHasNoEffect) {
   Marker marker = flawed(kSide);
   marker.pieces[2].at.x = 600'000;
   const Marker tight = compacted(marker);

@@ -21,7 +21,7 @@ Marker noisy(Marker marker) {
   return marker;
 }
 
-TEST(Separate, OfManyPiecesMovesOnlyWhatOverlapsAfterTheFirstRound) {
+TEST(Separate, OfManyPiecesMovesOnlyThoseThatOverlapAfterTheFirstRound) {
   const Marker marker = noisy(test::tiled(test::garment("jeans_06g"), 720));
   const SeparationSettings settings{.grow = 5};
   ASSERT_GT(marker.pieces.size(), settings.tuning.many);

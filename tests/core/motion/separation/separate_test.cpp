@@ -23,7 +23,7 @@ Separation separated(const Marker& marker, const SeparationSettings& settings = 
   return *result;
 }
 
-// Two squares of 200 that overlap by `depth`, in a strip where the first can go no farther left.
+// Two squares of size 200 that overlap by `depth`, in a strip where the first cannot move farther left.
 Marker two_squares(Coord depth) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(200, 200));
@@ -31,7 +31,7 @@ Marker two_squares(Coord depth) {
   return layout.marker();
 }
 
-TEST(Separate, LeavesAValidMarkerAlone) {
+TEST(Separate, DoesNotChangeAValidMarker) {
   const Marker start = two_squares(0);
   const auto result = separated(start);
   EXPECT_TRUE(result.apart);
@@ -40,7 +40,7 @@ TEST(Separate, LeavesAValidMarkerAlone) {
   EXPECT_EQ(result.moved, 0);
 }
 
-TEST(Separate, PartsTwoSquaresByTheirDepthAndNoMore) {
+TEST(Separate, SeparatesTwoSquaresByExactlyTheirDepth) {
   for (const repair::TargetRule rule : {repair::TargetRule::kNearest, repair::TargetRule::kKernelRay}) {
     for (const Coord depth : {Coord{1}, Coord{30}, Coord{99}}) {
       const auto result = separated(two_squares(depth), {.target = rule});
@@ -53,7 +53,7 @@ TEST(Separate, PartsTwoSquaresByTheirDepthAndNoMore) {
   }
 }
 
-TEST(Separate, AStackThatJustFitsPartsExactly) {
+TEST(Separate, SeparatesAStackThatJustFits) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(250, 250));
   layout.put(square, {0, 10}).put(square, {0, 240}).put(square, {0, 510}).put(square, {0, 745});
@@ -108,7 +108,7 @@ Marker overfull() {
   return layout.marker();
 }
 
-TEST(Separate, GrowsTheStripWhenItMay) {
+TEST(Separate, LengthensTheMarkerIfAllowed) {
   const auto held = separated(overfull());
   EXPECT_FALSE(held.apart);
   EXPECT_LE(held.length_after, held.length_before);
@@ -117,7 +117,7 @@ TEST(Separate, GrowsTheStripWhenItMay) {
   EXPECT_EQ(grown.length_after, 400);
 }
 
-TEST(Separate, NamesWhatRemains) {
+TEST(Separate, ReportsRemainingOverlaps) {
   const auto result = separated(overfull());
   ASSERT_FALSE(result.apart);
   double depth = 0;
@@ -137,14 +137,14 @@ TEST(Separate, LockedPiecesThatOverlapRemain) {
   EXPECT_EQ(result.marker, start);
 }
 
-TEST(Separate, PopsOutWhatHoldsItUp) {
+TEST(Separate, PopsOutPiecesThatBlockTheSeparation) {
   const auto result = separated(overfull(), {.pop_out = true});
   EXPECT_TRUE(result.apart);
   EXPECT_EQ(result.popped.size(), 1U);
   EXPECT_EQ(result.marker.pieces.size(), 2U);
   Marker locked = two_squares(30);
   locked.pieces[0].locked = true;
-  locked.strip.longest = 320;  // what lies beyond is in the way too
+  locked.strip.longest = 320;  // what extends beyond the strip blocks, too
   const auto kept = separated(locked, {.pop_out = true});
   EXPECT_TRUE(kept.apart);
   EXPECT_EQ(kept.marker.pieces[0], locked.pieces[0]);
@@ -174,7 +174,7 @@ TEST(Separate, RefusesAPieceLockedOutside) {
   EXPECT_EQ(separate(two_squares(30), {.grow = -0.1}, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
-TEST(Separate, CancelledGivesTheLeastOverlapSoFar) {
+TEST(Separate, ReturnsTheLeastOverlapSoFarWhenCancelled) {
   SumCache sums;
   std::stop_source source;
   source.request_stop();
@@ -183,12 +183,12 @@ TEST(Separate, CancelledGivesTheLeastOverlapSoFar) {
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_FALSE(result->apart);
   EXPECT_EQ(result->marker, two_squares(30));
-  ASSERT_EQ(result->remaining.size(), 1U);  // told, not measured
+  ASSERT_EQ(result->remaining.size(), 1U);  // reported, but not measured
   EXPECT_EQ(result->remaining[0].depth, 0);
 }
 
-// A pile that takes several rounds, stopped whenever something is proved.
-TEST(Separate, NeverClaimsMoreThanItHasSeenWhenItIsStopped) {
+// A pile that takes several rounds, cancelled whenever something is proved.
+TEST(Separate, ClaimsOnlyWhatItHasProvedWhenCancelled) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(250, 250));
   for (Coord k = 0; k < 12; ++k) layout.put(square, {20 * k, 30 * k});
@@ -218,9 +218,9 @@ TEST(Separate, NeverClaimsMoreThanItHasSeenWhenItIsStopped) {
   EXPECT_TRUE(ended);
 }
 
-// Two squares in a strip as wide as they are, apart only while one of them sticks out: whoever stops then gets them as
-// they were, and is told that they overlap.
-TEST(Separate, StoppedBetweenRoundsSpeaksOfWhatItHandsBack) {
+// Two squares in a strip of their width, which are separate only while one of them extends beyond the strip.  If the
+// motion is cancelled then, it returns the input and reports that the squares overlap.
+TEST(Separate, CancelledBetweenRoundsReportsOnTheMarkerItReturns) {
   Layout narrow{200};
   const auto square = narrow.shape_of(test::rectangle(200, 200));
   narrow.put(square, {0, 0}).put(square, {170, 0});

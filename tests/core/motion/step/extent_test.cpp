@@ -1,5 +1,5 @@
-// What is reached is enough: motions that model only that serve their goal as well as the naive model does, which has
-// every piece, pair and row at once.
+// Motions that model only the pieces within reach gain as much as with the naive model, which contains every piece,
+// pair and row.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,10 +23,10 @@ compaction::CompactionSettings settings_with(model::Extent extent) {
   return settings;
 }
 
-// More than the position step takes whole, few enough to wait for all pairs of.
+// More pieces than the position step models completely, but few enough for the naive model.
 constexpr std::size_t kPieces = 80;
 
-// How far pieces go in all in one round of separation.
+// The total distance that pieces move in one round of separation.
 double way_apart(const Marker& marker, Coord length, model::Extent extent) {
   SumCache sums;
   const scene::Scene scene{marker, sums};
@@ -78,7 +78,7 @@ TEST_P(GarmentExtents, PushingOnePieceGainsAsMuch) {
   for (std::uint32_t piece = 3; piece < marker_.pieces.size(); piece += 16) {
     for (const RealVec to : {RealVec{1, 0}, {-1, 0}, {0, 1}, {0.6, -0.8}}) {
       const compaction::Force force{PieceId{piece}, to.x, to.y};
-      // Farther pieces need not give room for margins when they stay: never less, by a few units more.
+      // Pieces outside the reach stay and need no margins, so the result may be better by a few units, but never worse.
       EXPECT_NEAR(gain(force, model::Extent::kActiveSet), gain(force, model::Extent::kWhole), 1e-5 * width_)
           << piece << ' ' << to.x;
     }
@@ -102,7 +102,7 @@ TEST_P(GarmentExtents, OpeningAGapGainsAsMuch) {
   }
 }
 
-TEST_P(GarmentExtents, PartingOnePieceMovesAsLittle) {
+TEST_P(GarmentExtents, SeparatingOnePieceMovesAsLittle) {
   for (std::size_t piece = 1; piece < marker_.pieces.size(); piece += 8) {
     if (marker::PlacedPieces{marker_}.box(piece).low.x < marker_.strip.width / 100) continue;
     Marker overlapping = marker_;
@@ -114,7 +114,7 @@ TEST_P(GarmentExtents, PartingOnePieceMovesAsLittle) {
   }
 }
 
-TEST(Extents, PartingPressesThroughAWholeRow) {
+TEST(Extents, SeparationPushesAWholeRow) {
   test::Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(1000, 1000));
   layout.put(square, {0, 0});
@@ -127,9 +127,9 @@ TEST(Extents, PartingPressesThroughAWholeRow) {
 INSTANTIATE_TEST_SUITE_P(Garments, GarmentExtents, ::testing::Values("jeans_02g", "charlie_04g", "simon_06g"),
                          test::garment_name);
 
-// A rhombus without room between two locked ones, and more free squares elsewhere than are taken whole: there is no
-// room for margins, and nobody to be reached who could make some.
-TEST(Extents, NothingToReachIsNoReasonToTryForEver) {
+// A rhombus without room between two locked ones, and more free squares elsewhere than are modelled completely: there
+// is no room for margins, and no piece within reach could make room.
+TEST(Extents, EndsWhenThereIsNothingToReach) {
   constexpr Coord kSide = 1'000'000;
   Marker marker;
   marker.resolution = {-6};

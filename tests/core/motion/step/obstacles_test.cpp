@@ -1,4 +1,4 @@
-// Programs made of simplified outlines.
+// Programs made from simplified outlines.
 #include "core/motion/step/obstacles.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace selvage::motion::step {
 namespace {
 
-// Two combs facing each other, `apart` units of room between them.
+// Two combs facing each other, with `apart` units of room between them.
 Marker combs(Coord apart) {
   test::Layout layout{2000};
   const auto comb = layout.shape_of({{0, 0}, {1000, 0}, {1000, 300}, {750, 290}, {500, 300}, {250, 290}, {0, 300}});
@@ -34,7 +34,7 @@ TEST(Obstacles, SimplifiesPairsThatAreApartAndNoOthers) {
   EXPECT_EQ(edges_between(combs(0), kTenUnits), own);
 }
 
-TEST(Obstacles, CountTheSpacingIn) {
+TEST(Obstacles, IncludeTheSpacing) {
   Marker marker = combs(100);
   const std::size_t own = edges_between(marker, 0);
   marker.spacing = 90;
@@ -43,8 +43,8 @@ TEST(Obstacles, CountTheSpacingIn) {
   EXPECT_EQ(edges_between(marker, 0.005), own);
 }
 
-// The least that holds: valid, no longer, the same whatever the cache holds; and nothing is held off that touches.
-TEST(Obstacles, SimplerProgramsEndWhereOthersDo) {
+// The answers are valid, not longer, and independent of the cache; and pieces that touch are not kept apart.
+TEST(Obstacles, SimplifiedProgramsKeepTheLawsOfCompaction) {
   const Marker coarse = test::garment("jeans_02g");
   const Marker marker = test::digitised(coarse, coarse.strip.width / 100, coarse.strip.width / 10'000);
   ASSERT_TRUE(is_valid(marker));

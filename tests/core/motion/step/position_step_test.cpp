@@ -12,10 +12,10 @@ namespace {
 
 class PositionStepOfGarments : public ::testing::TestWithParam<const char*> {};
 
-// So little trust that moves break rows that were left out.
+// A trust radius so small that moves violate rows that were left out.
 constexpr double kTrust = 0.01;
 
-TEST_P(PositionStepOfGarments, AProgramThatIsNotWorthSolvingAgainHasItsMovesShortened) {
+TEST_P(PositionStepOfGarments, MovesAreShortenedWhereAProgramIsNotWorthSolvingAgain) {
   const Marker marker = test::loosened(test::garment(GetParam()), 0.05);
   SumCache sums;
   const scene::Scene scene{marker, sums};
@@ -32,7 +32,7 @@ TEST_P(PositionStepOfGarments, AProgramThatIsNotWorthSolvingAgainHasItsMovesShor
   moved.place(once.positions);
   EXPECT_TRUE(conflicts(moved).empty());
   EXPECT_LT(moved.length(), scene.pieces.length());
-  // What gains more than that is worth solving again.
+  // A program that gains more than that is worth solving again.
   const PositionStep again = position_step(scene, goal, {.trust = kTrust, .worth = 1e-6}, {sums});
   EXPECT_EQ(again.programs, best.programs);
   EXPECT_EQ(again.positions, best.positions);

@@ -26,7 +26,7 @@ TEST(ProveStep, TakesTheWholeStepWhenNothingCollides) {
   EXPECT_TRUE(proved.conflicts.empty());
 }
 
-TEST(ProveStep, ShortensAStepThatRoundingMayHaveBroken) {
+TEST(ProveStep, ShortensAStepThatIsInvalidByRounding) {
   const PairSet modelled{{0, 1}};
   const auto proved = prove_step(two_squares(), {{0, 0}, {-120, 0}}, modelled, kFractions, serial());
   ASSERT_TRUE(proved.moved);
@@ -34,13 +34,13 @@ TEST(ProveStep, ShortensAStepThatRoundingMayHaveBroken) {
   EXPECT_EQ(proved.displacements[1].x, -60);
 }
 
-TEST(ProveStep, NamesCollisionsOfPairsThatWereNotModelled) {
+TEST(ProveStep, ReportsCollisionsOfPairsThatWereNotModelled) {
   const auto proved = prove_step(two_squares(), {{0, 0}, {-120, 0}}, {}, kFractions, serial());
   EXPECT_FALSE(proved.moved);
   EXPECT_EQ(proved.conflicts, (std::vector<marker::PiecePair>{{0, 1}}));
 }
 
-TEST(ProveStep, NamesTheCollisionsOfTheWholeStepWhenNoFractionIsValid) {
+TEST(ProveStep, ReportsTheCollisionsOfTheWholeStepWhenNoFractionIsValid) {
   const PairSet modelled{{0, 1}};
   const auto proved = prove_step(two_squares(), {{0, 0}, {-300, 0}}, modelled, kFractions, serial());
   EXPECT_FALSE(proved.moved);

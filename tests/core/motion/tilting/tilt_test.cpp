@@ -36,7 +36,7 @@ Tilting tilted_marker(const Marker& marker, const TiltSettings& settings) {
   return *result;
 }
 
-// A bar alone between the strip's edges, leaning as far as they let it.
+// A single bar between the strip's edges, tilted as far as they allow.
 Marker leaning_bar(double degrees) {
   Layout layout{150'000};
   const auto bar = layout.shape_of(test::rectangle(400'000, 100'000));
@@ -47,8 +47,8 @@ Marker leaning_bar(double degrees) {
   return marker;
 }
 
-// Two upright wedges that need 470 mm as they stand, and about 435 mm when the right one leans on the left one's slant
-// of two degrees.
+// Two upright wedges that need 470 mm untilted, and about 435 mm when the right one is tilted by two degrees against
+// the left one's slanted side.
 Marker wedges(double limit) {
   Layout layout{1'100'000};
   const auto left = layout.shape_of({{0, 0}, {300'000, 0}, {335'000, 1'000'000}, {0, 1'000'000}});
@@ -59,7 +59,7 @@ Marker wedges(double limit) {
   return marker;
 }
 
-TEST(Tilt, ABarBetweenTheEdgesComesStraight) {
+TEST(Tilt, ABarBetweenTheEdgesIsStraightened) {
   const Marker marker = leaning_bar(3);
   for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
     const Tilting result = tilted_marker(marker, settings_of(method));
@@ -78,7 +78,7 @@ TEST(Tilt, AWedgeLeansOnAWedge) {
   EXPECT_NEAR(between, 2.0, 0.1);
 }
 
-TEST(Tilt, LimitsHoldToTheLastBit) {
+TEST(Tilt, LimitsHoldExactly) {
   for (const double limit : {0.1, 0.3, 0.7, 1.0 / 3}) {
     const Tilting own = tilted_marker(wedges(limit), settings_of(TiltMethod::kLinearisation));
     EXPECT_LE(own.farthest_tilt.degrees, limit);
@@ -102,14 +102,14 @@ TEST(Tilt, WithoutALimitItIsCompaction) {
   }
 }
 
-TEST(Tilt, PiecesThatCameBeyondTheLimitTiltNoFarther) {
+TEST(Tilt, PiecesBeyondTheLimitAreNotTiltedFarther) {
   const Marker marker = leaning_bar(3);
   const Tilting result = tilted_marker(marker, limited(1));
   EXPECT_LE(result.farthest_tilt.degrees, 3.0);
   EXPECT_LE(result.length_after, 400'010);  // but back they may
 }
 
-TEST(Tilt, PiecesThatCameBeyondTheLimitAreNoReasonForOthersToBe) {
+TEST(Tilt, PiecesBeyondTheLimitDoNotRaiseItForOthers) {
   Marker marker = wedges(3);
   Piece beyond = marker.pieces[1];
   beyond.id = "beyond";
@@ -146,7 +146,8 @@ TEST(Tilt, EveryPieceIsItsOriginalShapeRoundedOnce) {
     const Piece& after = result.marker.pieces[i];
     EXPECT_EQ(std::tie(after.id, after.shape, after.orientation.flip, after.orientation.rotation),
               std::tie(before.id, before.shape, before.orientation.flip, before.orientation.rotation));
-    // However many rounds turned it: every vertex within half a unit of where one turn takes the original's.
+    // After any number of rounds, every vertex lies within half a unit of the position to which a single rotation moves
+    // the original vertex.
     const Polygon outline = placed_outline(result.marker, PieceId{i});
     const Polygon& shape = marker.shapes[after.shape.value].outline;
     ASSERT_EQ(outline.size(), shape.size());
@@ -162,7 +163,7 @@ TEST(Tilt, EveryPieceIsItsOriginalShapeRoundedOnce) {
   }
 }
 
-TEST(Tilt, ShakesNeverMakeItLonger) {
+TEST(Tilt, PerturbationsNeverMakeItLonger) {
   Marker marker = test::loose_marker(3, 3, 2);
   for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(3);
   TiltSettings settings = settings_of(TiltMethod::kLinearisation);
@@ -173,7 +174,7 @@ TEST(Tilt, ShakesNeverMakeItLonger) {
   EXPECT_GT(perturbed.rounds, once.rounds);
 }
 
-TEST(Tilt, StopsWithTheBestSoFar) {
+TEST(Tilt, ReturnsTheBestSoFarWhenCancelled) {
   const Marker marker = wedges(3);
   SumCache sums;
   std::stop_source source;
@@ -194,7 +195,7 @@ TEST(Tilt, StopsWithTheBestSoFar) {
   EXPECT_EQ(tilted_marker(marker, settings).reason, scene::StopReason::kWorkLimit);
 }
 
-TEST(Tilt, SameAnswerWhateverTheCacheHolds) {
+TEST(Tilt, TheAnswerDoesNotDependOnTheCache) {
   Marker marker = test::loose_marker(5, 4, 2);
   for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(2);
   for (const TiltMethod method : {TiltMethod::kLinearisation, TiltMethod::kRelaxation}) {
@@ -209,7 +210,7 @@ TEST(Tilt, SameAnswerWhateverTheCacheHolds) {
   }
 }
 
-TEST(Tilt, RefusesLimitsThatAreNone) {
+TEST(Tilt, RefusesInvalidLimits) {
   SumCache sums;
   for (const double degrees : {-1.0, 46.0, std::nan(""), 1 / 0.0}) {
     const auto result = tilt(wedges(1), limited(degrees), {sums});
@@ -233,7 +234,7 @@ TEST(TiltedPiece, KeepsItsPivot) {
 RC_GTEST_PROP(TiltLaws, ValidNeverLongerLimitsAndLocksHold, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
   const auto columns = *rc::gen::inRange(1, 5);
-  // At the smallest scale rounding is all there is.
+  // At the smallest scale there is nothing but rounding.
   const Coord radius = *rc::gen::element<Coord>(30, 100'000, 10'000'000'000);
   Marker marker = test::loose_marker(seed, columns, *rc::gen::inRange(1, 4), radius);
   const double limit = 0.01 * *rc::gen::inRange(0, 500);

@@ -38,7 +38,7 @@ TEST(Dictionary, MinimisesTheLength) {
   EXPECT_LE(least_length(pair.program.bounding(), pair.ranges), 20);
 }
 
-TEST(Dictionary, GoesOnFromItsBasisWhenRowsAreAdded) {
+TEST(Dictionary, ContinuesFromItsBasisWhenRowsAreAdded) {
   Pair pair;
   ASSERT_EQ(pair.solve(), Dictionary::End::kOptimal);
   EXPECT_NEAR(pair.program.length(pair.columns), 10, 1e-6);
