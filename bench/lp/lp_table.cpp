@@ -39,7 +39,7 @@ std::vector<Solver> solvers() {
   };
   return {{"interior point (ours)",
            [](const lp::LinearProgram& program) { return lp::interior_point::solve_by_interior_point(program); }},
-          {"interior point (ours), standard's tolerance",
+          {"interior point (ours), tolerance of standard",
            [](const lp::LinearProgram& program) {
              return solve_by_interior_point(
                  program, lp::interior_point::settings_for_tolerance(

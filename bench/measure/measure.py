@@ -25,7 +25,7 @@ PAGES = ["trade.md", "growth.md"]
 
 
 def output_of(arguments, what, markers, name=None):
-    """The output of the program, from an earlier run if there is one, and kept for the next."""
+    """The output of the program, taken from an earlier run if there is one; otherwise kept for the next."""
     kept = arguments.kept / (name or f"{what}.csv")
     if not kept.exists():
         done = subprocess.run([arguments.program, what, *markers], check=True, capture_output=True, text=True)
@@ -45,7 +45,7 @@ def table(head, rows):
 
 
 def put(arguments, name, text):
-    """Inserts a table into the page that has a place for it."""
+    """Inserts a table into the page that has a placeholder for it."""
     begin, end = f"<!-- table: {name} -->\n", "<!-- end -->"
     for page in (arguments.out / p for p in PAGES):
         before, found, rest = page.read_text().partition(begin)
@@ -76,7 +76,7 @@ def compared_with_standard(rows):
         pair = (float(row["ms"]) / float(base["ms"]), float(row["ratio"]) / float(base["ratio"]))
         points.setdefault((row["setting"], row["value"]), {})[row["marker"]] = pair
     for of_marker in points.values():
-        # A setting that some markers lack has no mean that could be compared.
+        # A setting without results for some markers has no comparable mean.
         if len(of_marker) == len(standard):
             of_marker[MEAN] = tuple(map(statistics.geometric_mean, zip(*of_marker.values())))
     return points
@@ -275,7 +275,7 @@ def main():
     digitised(arguments, rows_of(arguments, "digitised", [named["jeans_06g"], named["simon_06g"]]))
     anytime(arguments, rows_of(arguments, "anytime", [named["jeans_22g"]]))
     scene(arguments, rows_of(arguments, "scene", [named["jeans_06g"]]))
-    # Each tile is measured by a process of its own, since the memory reported is the peak of the process.
+    # Each tile is measured in a separate process, because the reported memory is the peak of the process.
     tiles = ["jeans_02g", "jeans_06g"]
     growth(arguments, [row for t in tiles for row in rows_of(arguments, "growth", [named[t]], f"growth-{t}.csv")])
     put(arguments, "cores", output_of(arguments, "cores", [named["jeans_06g"], named["jeans_22g"]], "cores.md"))

@@ -77,7 +77,7 @@ def judged(arguments, layout):
 
 
 def result(arguments, program, path, seconds, seed):
-    """The kept result, computed when there is none."""
+    """The stored result, computed if there is none."""
     kept = arguments.kept / "results" / f"{path.stem}-{program}-{seconds}s-{seed}.json"
     if not kept.exists():
         kept.parent.mkdir(parents=True, exist_ok=True)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Looks for layouts that are shorter than the published ones, in sittings that add up.
+"""Searches for layouts that are shorter than the published ones, in several sessions that continue each other.
 
 usage: records.py --selvage PROGRAM --kept FOLDER --out FOLDER --instances FILE... [--minutes M] [--seconds S]
 
@@ -38,7 +38,7 @@ def run(arguments, *command):
 
 
 def judged(arguments, layout):
-    """What is kept of a layout, without the shapes."""
+    """The part of a layout that is kept, without the shapes."""
     density, valid = race.judged(arguments, layout)
     solution = json.loads(layout.read_text("utf-8"))["solution"]
     return {"density": density, "length": solution["strip_width"], "valid": valid,
@@ -50,7 +50,7 @@ def without_placements(found):
 
 
 class Record:
-    """What is known of one instance."""
+    """What is known about one instance."""
 
     def __init__(self, arguments, path):
         self.arguments = arguments
@@ -79,7 +79,7 @@ class Record:
         return self.known["nothing" if start == "nothing" else "published start"]
 
     def starting_layout(self, start):
-        """The file that a sitting begins with."""
+        """The file from which a session starts."""
         search = self.search(start)
         file = instance_of(self.file)
         fresh = start == "nothing" and search["sittings"] % 2 == 0

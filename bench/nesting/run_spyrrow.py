@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Nests an instance with spyrrow, on one thread, and writes the solution in the form that it came in.
+"""Nests an instance with spyrrow, on one thread, and writes the solution in the format of the input.
 
 usage: run_spyrrow.py INSTANCE SECONDS SEED OUT
 

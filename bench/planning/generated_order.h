@@ -12,8 +12,8 @@ struct OrderShape {
   int bundles{6};
 };
 
-// A trousers style whose sizes grow by 3 % in area; 20 to 150 garments of each colour and size; the limits and costs
-// that are standard.  Deterministic.
+// A trousers style whose sizes grow by 3 % in area; 20 to 150 garments of each colour and size; standard limits and
+// costs.  Deterministic.
 [[nodiscard]] planning::orders::Problem generated_order(std::uint64_t seed, const OrderShape& shape);
 
 }  // namespace selvage::bench

@@ -1,7 +1,7 @@
 // usage: planning_gap [ORDERS] [SIZES] [COLOURS] [BUNDLES]
 //
-// How near to the bound the search for cuttings comes at estimated lengths, and in what processor time: one row of a
-// table for each of ORDERS generated orders (default: 10), of 5 sizes, 3 colours and up to 6 bundles a marker.
+// Measures how close to the bound the search for cuttings comes at estimated lengths, and the processor time: one row
+// of a table for each of ORDERS generated orders (default: 10), with 5 sizes, 3 colours and up to 6 bundles per marker.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

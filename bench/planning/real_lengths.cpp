@@ -1,6 +1,6 @@
 // usage: real_lengths [ORDERS] [MOVES]
 //
-// What real lengths save against estimates: generated orders (default: 20) for the trousers of
+// Measures what real lengths save compared with estimates: generated orders (default: 20) for the trousers of
 // examples/markers/charlie_04g.json in four sizes, two colours, up to four bundles a marker; markers nested with MOVES
 // (default: 40) moves for each piece.  Each marker is made once and kept for all orders.  For each order: the cost of
 // the plan that lengths by garment count choose, once its markers are made; that of the plan that the first estimate
@@ -41,7 +41,7 @@ Problem order_of(std::uint64_t seed, const planning::making::Garments& garments)
   return problem;
 }
 
-// Makes every marker once.
+// Makes each marker only once.
 class KeptMarkers {
  public:
   KeptMarkers(const planning::making::Garments& garments, std::uint64_t moves, const scene::Run& run)

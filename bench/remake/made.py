@@ -1,4 +1,4 @@
-"""The markers that the measurement of remaking needs, made once and kept.
+"""Makes the markers that the measurement of remaking needs, once, and stores them.
 
 Stored markers: garments nested from nothing with 60,000 moves, or the jeans that sparrow laid out in 260 seconds; then accuracy
 `fine`.  For orders of other size mixes there are five of them, each of a mix of its own.
@@ -15,8 +15,8 @@ EXAMPLES = ROOT / "examples" / "markers"
 sys.path.insert(0, str(ROOT / "bench" / "nesting"))
 import race as nesters  # noqa: E402
 
-MOVES, MIX_MOVES = 60_000, 600_000  # of nesting a stored marker, and an order to compare with: about 6 and 60 s
-MIXES = range(1001, 1006)  # the seeds of the stored mixes; those of orders are smaller
+MOVES, MIX_MOVES = 60_000, 600_000  # budgets for a stored marker and for an order to compare with: about 6 and 60 s
+MIXES = range(1001, 1006)  # the seeds of the stored mixes; the seeds of orders are smaller
 RACES = (("jeans_02g", 1), ("simon_06g", 1), ("jeans_06g", 1), ("simon_06g", 2), ("jeans_02g", 3), ("jeans_06g", 2))
 
 
@@ -25,7 +25,7 @@ def run(*words):
 
 
 def source_of(options, garment):
-    """The file with a garment's pieces: an example, or among the data."""
+    """The file with a garment's pieces: an example, or a file of the data."""
     path = EXAMPLES / f"{garment}.json"
     return path if path.exists() else options.data / "garments" / f"{garment}.json"
 
@@ -53,7 +53,7 @@ def stored_marker(options, garment):
 
 
 def order_file(options, garment, change, part, seed):
-    """An order in the form of jagua-rs."""
+    """An order in the format of jagua-rs."""
     path = options.kept / "order_files" / f"{garment}-{change}-{part}-{seed}.json"
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -63,7 +63,7 @@ def order_file(options, garment, change, part, seed):
 
 
 def order_source(options, garment, change):
-    """What remake_orders is given: the garment, and the stored markers when they are not the garment's own."""
+    """The arguments of remake_orders: the garment, and the stored markers if they are not the garment's own."""
     if "-mix-" in garment:
         garment, seed = garment.split("-mix-")
         return [nested(options, order_file(options, garment, "mixed", 0, seed), f"{garment}-mix-{seed}")]
@@ -74,7 +74,7 @@ def order_source(options, garment, change):
 
 
 def best_known(options):
-    """The best marker known of the order whose steps are shown: remade, nested on from there, and refined."""
+    """The best known marker of the order whose steps are shown: remade, improved by nesting from there, and refined."""
     path = options.kept / "best_known.json"
     if not path.exists():
         selvage, order = options.programs / "selvage", order_file(options, "jeans_02g", "graded", 0.04, 1)
@@ -103,7 +103,7 @@ def mix_from_nothing(options, seed):
 
 
 def nested_elsewhere(options, garment, seed, seconds=60):
-    """The judged density of the order as spyrrow nests it; None when it is not kept and not asked for."""
+    """The density of the order nested by spyrrow, according to the judge; None if it is neither stored nor requested."""
     path = order_file(options, garment, "graded", 0.04, seed)
     kept = options.kept / "nesters"
     if not options.race and not (kept / "results" / f"{path.stem}-spyrrow-{seconds}s-1.json").exists():

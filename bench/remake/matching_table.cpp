@@ -1,10 +1,10 @@
-// The times of matching in docs/from-the-library.md: a search by signatures, an assignment, and the choice among
-// markers of one garment.
+// The times of matching in docs/from-the-library.md: a search by signatures, an assignment, and the pairing of markers
+// of one garment.
 //
 //   matching_table MARKER.json...
 //
-// Each time is the least of ten runs, in processor time on one thread.  The signatures are those of the given markers,
-// changed at random; costs are random, which is harder than those of real pieces.
+// Each time is the minimum of ten runs, in processor time on one thread.  The signatures are those of the given
+// markers, changed at random; costs are random, which is harder than those of real pieces.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

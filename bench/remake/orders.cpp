@@ -13,7 +13,7 @@
 namespace selvage::bench {
 namespace {
 
-// The standard library's distributions differ between platforms; this is the same everywhere.
+// Unlike the standard library's distributions, this gives the same numbers on every platform.
 class Choices {
  public:
   explicit Choices(std::uint64_t seed) : random_{seed} {}
@@ -33,7 +33,8 @@ std::string size_of(const Json& attributes) {
   return attributes.contains("size") ? protocol::json::to_text(attributes["size"]) : std::string{};
 }
 
-// The shape with another outline, if that is one and fits the strip in every allowed orientation that it fitted in.
+// The shape with another outline, if that is valid and fits the strip in the same allowed
+// orientations.
 void change_outline(const Marker& marker, Shape& shape, const Polygon& outline) {
   const auto clean = geometry::clean_polygon(outline);
   if (!clean) return;

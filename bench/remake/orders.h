@@ -1,4 +1,4 @@
-// Orders for the measurements of remaking, made of a garment marker by a seeded generator.
+// Orders for the measurements of remaking, generated from a garment marker and a seed.
 //
 // An order has the pieces of the marker, unplaced, with their shapes changed:
 //   graded   the sizes are spread: evenly spaced factors from 1 - part to 1 + part are dealt to the sizes at random
@@ -24,8 +24,8 @@ inline constexpr Change kChanges[] = {Change::kGraded, Change::kLarger, Change::
 
 [[nodiscard]] std::string_view name_of(Change change);
 
-// REQUIRES: a part from 0 to 0.2, for kMixed an integer.  Shapes that a change would make crossing or too wide for the
-// strip stay as they are.
+// REQUIRES: a part from 0 to 0.2, for kMixed an integer.  A shape is left unchanged if the change would make it cross
+// itself or too wide for the strip.
 [[nodiscard]] Marker order_of(const MarkerFile& file, Change change, double part, std::uint64_t seed);
 
 }  // namespace selvage::bench

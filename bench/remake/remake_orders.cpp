@@ -3,12 +3,12 @@
 //   remake_orders --change NAME [--part P] [--first SEED] [--count N] [--tries N] [--trials N] [--fine]
 //                 [--outlines FOLDER] [--write FILE] GARMENT.json [STORED.json...]
 //
-// The orders have the seeds SEED, SEED + 1, ...; without stored markers, the garment's own marker is the only one.
-// --tries: of each order.  --trials: of moving small pieces into gaps; 0: none.  --fine: the results are also refined
-// as accuracy fine does.
-// --outlines: every result is written there as placed outlines, for an independent judge.  --write: instead of all
-// that, the order of the first seed is written to this file.  Utilisations are parts of 1, times are processor time on
-// one thread, with an empty cache of Minkowski sums for each order.
+// The orders have the seeds SEED, SEED + 1, ...; without stored markers, the garment's own marker is the only
+// one. --tries: tries for each order. --trials: trials of moving small pieces into gaps; 0 for none. --fine:
+// also refines the results, like accuracy fine. --outlines: also writes every result to the folder as placed
+// outlines, for an independent judge. --write: only writes the order of the first seed to this file.
+// Utilisations are parts of 1, times are processor time on one thread, with an empty cache of Minkowski sums for
+// each order.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -95,7 +95,7 @@ bench::Change change_named(const std::string& name) {
   for (const bench::Change change : bench::kChanges) {
     if (name_of(change) == name) return change;
   }
-  std::fprintf(stderr, "%s is no change\n", name.c_str());
+  std::fprintf(stderr, "%s is not a known change\n", name.c_str());
   std::exit(EXIT_FAILURE);
 }
 

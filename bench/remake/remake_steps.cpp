@@ -3,7 +3,7 @@
 //   remake_steps FOLDER SEED STORED.json BEST.json
 //
 // The order has the sizes of the stored marker spread by up to 4 % (orders.h); the drawings are FOLDER/STEP.svg.
-// BEST.json is the best marker that is known of this order; it is drawn, too.
+// BEST.json is the best known marker of this order, which is also drawn.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -44,7 +44,7 @@ int main(int count, char** words) {
   const Marker order = bench::order_of(stored, bench::Change::kGraded, 0.04, std::strtoull(words[2], nullptr, 10));
   remake::RemakeSettings settings;
   settings.attempt.fine = true;
-  settings.thorough = true;  // every step, also when the draft is near enough
+  settings.thorough = true;  // run every step, even if the draft is good enough
   SumCache sums;
   const auto done = remake::remake(order, std::vector<Marker>{stored.marker}, settings, scene::Run{sums});
   if (!done || !done->chosen) return EXIT_FAILURE;

@@ -51,7 +51,7 @@ Marker pushed(const Marker& start, SumCache& /*sums*/) {
   return marker;
 }
 
-// The same, separated: a valid marker with room to be compacted.
+// The same marker, separated: it is valid and has room for compaction.
 Marker loosened(const Marker& marker, SumCache& sums) {
   auto apart = motion::separation::separate(pushed(marker, sums), {.grow = kGrow}, {sums});
   return apart && apart->apart ? std::move(apart->marker) : marker;
@@ -167,7 +167,7 @@ Family tilting_family() {
   return family;
 }
 
-// Every position stretched by a hundredth along the strip.
+// The marker with every position stretched by one per cent along the strip.
 Marker roomy(const Marker& start, SumCache& /*sums*/) {
   Marker marker = start;
   for (Piece& piece : marker.pieces) piece.at.x += piece.at.x / 100;
@@ -233,7 +233,7 @@ Family search_family() {
   return family;
 }
 
-// The mean of three seeds: a single search is a matter of luck.
+// The mean of three seeds, because the result of a single search is a matter of luck.
 Outcome nested(const Marker& marker, const nesting::NestSettings& settings, SumCache& sums) {
   double sum = 0;
   nesting::NestSettings seeded = settings;

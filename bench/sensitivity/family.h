@@ -1,5 +1,5 @@
-// A family of tuning constants, and what becomes of a motion's answer and of its processor time when one of them is
-// multiplied by a factor.
+// A family of tuning constants, and the effect on a motion's answer and processor time when one of them is multiplied
+// by a factor.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Outcome {
   bool failed{};  // there is no answer to compare
 };
 
-// What runs with settings of the motion's own type look like to the table.
+// The interface of a family to the table, independent of the type of the motion's settings.
 struct Constant {
   std::string name, value;
   std::function<Outcome(const Marker&, double factor, SumCache&)> run;
@@ -31,13 +31,13 @@ struct Constant {
 
 struct Family {
   std::string name;    // of the motion
-  std::string result;  // what is compared, in words
-  // What the motion is given, made of a marker that is laid out.
+  std::string result;  // a description of what is compared
+  // The input of the motion, made from a laid-out marker.
   std::function<Marker(const Marker&, SumCache&)> prepared;
   std::vector<Constant> constants;
 };
 
-// A field of a tuning structure.  A part of 1 that comes near to 1 is varied by its distance from 1.
+// A field of a tuning structure.  A fraction that is close to 1 is varied by its distance from 1.
 template <class Tuning>
 struct Field {
   std::string name;

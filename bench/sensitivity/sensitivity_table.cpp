@@ -1,10 +1,10 @@
-// Multiplies every tuning constant by a half and by two, one at a time, and prints Markdown tables of what that does to
-// the answer and to the processor time of the motion that it belongs to.  "Failed" is by how many more markers get no
-// answer than with the usual constants.
+// Multiplies every tuning constant by a half and by two, one at a time, and prints Markdown tables of the effect
+// on the answer and the processor time of its motion.  "Failed" is the number of additional markers without an
+// answer.
 //
 // usage: sensitivity_table FAMILY MARKER...        FAMILY: compaction, separation, tilting, floating, search or nesting
 //
-// Sums are in the cache, so that the time is that of the motion.  A run of all markers with the usual constants comes
+// Sums are in the cache, so that only the motion itself is timed.  A run of all markers with the usual constants comes
 // first and is repeated at the end: the difference of the two times is the machine's noise.
 #include <cstdio>
 #include <ctime>
@@ -63,7 +63,7 @@ void print_cells(const Runs& runs, const Runs& usual) {
 void print_table(const Family& family, std::span<Subject> subjects) {
   (void)run_all(family.constants.front(), 1, subjects);  // fills the caches
   const Runs usual = run_all(family.constants.front(), 1, subjects);
-  std::printf("Compared is %s, on %zu markers; %.2f s with the usual constants.\n\n", family.result.c_str(),
+  std::printf("The table compares %s, on %zu markers; %.2f s with the usual constants.\n\n", family.result.c_str(),
               subjects.size(), usual.seconds);
   std::printf("| constant | value | half: mean, %% | worst, %% | failed | time ");
   std::printf("| double: mean, %% | worst, %% | failed | time |\n|---|---|---|---|---|---|---|---|---|---|\n");
@@ -74,7 +74,7 @@ void print_table(const Family& family, std::span<Subject> subjects) {
     std::fflush(stdout);
   }
   const Runs again = run_all(family.constants.front(), 1, subjects);
-  std::printf("\nThe usual constants once more: time %.2f.\n", again.seconds / usual.seconds);
+  std::printf("\nRepeated with the usual constants: time %.2f.\n", again.seconds / usual.seconds);
 }
 
 int main_of(std::span<const std::string> arguments) {

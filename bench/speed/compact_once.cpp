@@ -1,5 +1,5 @@
-// Compacts a marker at accuracy standard, with an empty cache of sums and again with a full one, each in a function of
-// its own, for which bench/speed/instructions.sh counts instructions with callgrind.
+// Compacts a marker at accuracy standard, with an empty cache of sums and again with a full one, each in a separate
+// function, whose instructions bench/speed/instructions.sh counts with callgrind.
 //
 // usage: compact_once MARKER
 #include <cstdio>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What the command says of itself: completion, the manual page, examples, what was probably meant.
+"""The command's own documentation: completion, the manual page, examples, and suggestions for misspelt names.
 
 usage: documents_test.py SELVAGE
 """
@@ -25,7 +25,7 @@ def subcommands():
 
 class Completion(unittest.TestCase):
     def complete(self, *words):
-        """What bash offers for the last word."""
+        """The completions that bash offers for the last word."""
         script = run("completion", "bash").stdout
         listed = " ".join(f"'{word}'" for word in words)
         code = f"{script}\nCOMP_WORDS=({listed}); COMP_CWORD={len(words) - 1}; _selvage; echo \"${{COMPREPLY[*]}}\""
@@ -38,7 +38,7 @@ class Completion(unittest.TestCase):
         self.assertEqual(self.complete("selvage", "compact", "marker.js"), [])  # a file: left to the shell
         self.assertEqual(self.complete("selvage", "--server", "localhost:7171", "compact", "--acc"), ["--accuracy"])
 
-    def test_bash_completes_the_words_that_a_command_begins_with(self):
+    def test_bash_completes_the_first_words_of_a_command(self):
         self.assertEqual(self.complete("selvage", "call", "motion.com"), ["motion.compact"])
         self.assertEqual(self.complete("selvage", "library", ""), ["add", "list", "search"])
         self.assertEqual(self.complete("selvage", "completion", "f"), ["fish"])
@@ -106,7 +106,7 @@ class Suggestions(unittest.TestCase):
             for example in examples:
                 words = shlex.split(re.split(r" [>|] ", example.replace("localhost:7171", "127.0.0.1:1"))[0])
                 with self.subTest(example), tempfile.TemporaryDirectory() as folder:
-                    # Its files are not there, but nothing else is wrong with it.
+                    # Its files do not exist, but there is no other error in it.
                     ran = subprocess.run([SELVAGE, *words[1:]], capture_output=True, text=True, timeout=60, cwd=folder)
                     self.assertNotEqual(ran.returncode, 2, ran.stderr)
 
@@ -116,13 +116,13 @@ class Suggestions(unittest.TestCase):
             for line in shown.splitlines():
                 self.assertLessEqual(len(line), 80, f"{name}: {line}")
 
-    def test_a_word_that_is_no_choice_is_corrected(self):
+    def test_a_suggestion_is_made_for_an_unknown_choice(self):
         self.assertIn("did you mean engine.info?", run("call", "engin.info").stderr)
         self.assertIn("not one of draft, standard, fine", run("compact", "x.json", "--accuracy", "quick").stderr)
         self.assertIn("--direction takes X,Y", run("bump", "x.json", "--piece", "a", "--direction", "1").stderr)
         self.assertIn("y.json is one argument too many for compact", run("compact", "x.json", "y.json").stderr)
 
-    def test_every_mistake_is_the_programs_and_says_where_more_is_said(self):
+    def test_every_error_names_the_program_and_refers_to_the_help(self):
         for arguments in (["compact"], ["compact", "x.json", "--rounds", "many"], ["call", "nothing"], ["fold"]):
             said = run(*arguments).stderr
             self.assertTrue(said.startswith("selvage: "), said)

@@ -55,7 +55,7 @@ class Library(CliTest):
         self.assertEqual(ran.returncode, BAD_INPUT)
         self.assertIn("nest it first", ran.stderr)
 
-    def test_passes_over_files_that_are_no_markers(self):
+    def test_ignores_files_that_are_not_markers(self):
         library = self.library("jeans_02g")
         (library / "notes.txt").write_text("not a marker")
         listed = run("library", "list", library)
@@ -71,7 +71,7 @@ class Library(CliTest):
         os.utime(marker, ns=(long_ago, long_ago))
         listed = run("library", "list", library).stdout
         text = marker.read_text()
-        marker.write_text("x" * len(text))  # which nobody sees, because size and time are as the index has them
+        marker.write_text("x" * len(text))  # not noticed, because size and time agree with the index
         os.utime(marker, ns=(long_ago, long_ago))
         self.assertEqual(run("library", "list", library).stdout, listed)
         os.utime(marker)
@@ -90,7 +90,7 @@ class Library(CliTest):
         os.utime(index, ns=(changed, changed))
         self.assertIn("skipped", run("library", "list", library).stderr)
 
-    def test_makes_the_index_anew_when_it_is_gone_or_spoiled(self):
+    def test_rebuilds_the_index_when_it_is_missing_or_damaged(self):
         library = self.library("jeans_02g", "charlie_04g")
         listed = run("library", "list", library).stdout
         index = library / ".selvage-index"
@@ -104,7 +104,7 @@ class Library(CliTest):
         self.assertEqual(run("library", "list", library).stdout, listed.splitlines()[1] + "\n")
         self.assertEqual(len(index.read_text().splitlines()), 2)
 
-    def test_does_without_an_index_where_it_cannot_write_one(self):
+    def test_works_without_an_index_if_it_cannot_write_one(self):
         library = self.library("jeans_02g")
         (library / ".selvage-index").unlink(missing_ok=True)
         (library / ".selvage-index").mkdir()
@@ -119,7 +119,7 @@ class Library(CliTest):
         self.assertEqual(found.returncode, OK, found.stderr)
         self.assertIn("differs by   0.0 %, predicted  81.11 %  jeans_02g", found.stdout)
 
-    def test_says_what_is_missing(self):
+    def test_names_missing_arguments(self):
         self.assertEqual(run("library", "add", self.path("lib")).returncode, BAD_USAGE)
         self.assertEqual(run("library", "search", self.path("lib")).returncode, BAD_USAGE)
         self.assertEqual(run("library", "bake", self.path("lib")).returncode, BAD_USAGE)
@@ -143,7 +143,7 @@ class Remake(Library):
         self.assertEqual(checked.returncode, OK, checked.stdout)
         self.assertIn("40 pieces", checked.stdout)
 
-    def test_tells_what_every_attempt_did(self):
+    def test_reports_the_steps_of_every_attempt(self):
         library = self.library("jeans_02g")
         ran = run("remake", self.order(), "--library", library, "--tries", 1)
         self.assertEqual(ran.returncode, OK, ran.stderr)
@@ -158,7 +158,7 @@ class Remake(Library):
             results.append(self.path("out.json").read_text())
         self.assertEqual(results[0], results[1])
 
-    def test_says_when_no_marker_is_near(self):
+    def test_reports_when_no_marker_is_similar(self):
         library = self.library("jeans_22g")
         ran = run("remake", self.order(), "--library", library, "-o", self.path("out.json"), "--json")
         self.assertEqual(json.loads(ran.stdout)["outcome"], "none_near")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What is refused, and how.  usage: mistakes_test.py SELVAGE"""
+"""Invalid input and how it is refused.  usage: mistakes_test.py SELVAGE"""
 import os
 import unittest
 
@@ -7,7 +7,7 @@ from command import BAD_INPUT, BAD_USAGE, CliTest, FILE, MARKERS, OK, run, squar
 
 
 class BadUsage(CliTest):
-    def test_has_an_exit_code_of_its_own(self):
+    def test_bad_usage_has_its_own_exit_code(self):
         marker = str(MARKERS / "jeans_02g.json")
         for arguments in ([], ["fold"], ["compact"], ["compact", marker, "--accuracy", "perfect"],
                           ["compact", marker, "--rounds", "-1"], ["compact", marker, "--rounds", "many"],

@@ -35,7 +35,7 @@ class Compact(CliTest):
         self.assertEqual(run("check", self.path("out.json")).returncode, OK)
         self.assertEqual(run("compact", MARKERS / "jeans_06g.json", "--time", "0").returncode, BAD_USAGE)
 
-    # What each motion needs besides the marker.
+    # The arguments that each motion needs in addition to the marker.
     ARGUMENTS = {
         "push": ("--forces", '[{"piece":"p0","force":[1,0]}]'), "gravity": ("--force", "-1,-1"),
         "bump": ("--piece", "p0", "--direction=-1,0"), "place": ("--piece", "p0", "--to", "30,30"),
@@ -59,7 +59,7 @@ class Compact(CliTest):
                 if ran.returncode == OK:
                     line = json.loads(ran.stdout)
                     self.assertIs(line["valid"], True)
-                    # A motion of a single step may be done sooner.
+                    # A motion of a single step may end before the deadline.
                     self.assertIn(line.get("stop", "deadline"), ("deadline", "converged"), ran.stdout)
                     self.assertLessEqual(line.get("rounds", 0), 2)
 
@@ -271,7 +271,7 @@ class Tilt(CliTest):
 
 
 class EveryMotion(CliTest):
-    """Motions without a section of their own: their options follow from the descriptors of the methods."""
+    """Motions without a test class of their own; their options are generated from the descriptors of the methods."""
 
     def test_every_motion_of_the_daemon_is_a_command(self):
         listed = run("--help").stdout

@@ -51,7 +51,7 @@ class Plan(CliTest):
         order = {"quantities": {"red": {"S": 4, "M": 8}, "blue": {"S": 2, "M": 3}}}
         self.assertEqual(self.plan()[1], self.plan(json.dumps(order))[1])
 
-    def test_messages_name_what_is_in_the_way(self):
+    def test_errors_name_the_cause(self):
         for order, style, options, message in (
                 ("colour,S\nred,x\n", RECTANGLES, (), "a number of garments is required"),
                 ("colour,XS\nred,3\n", RECTANGLES, (), 'size "XS" is not in the style; its sizes are M, S'),

@@ -33,7 +33,7 @@ class Nest(CliTest):
             results.append(self.path("out.json").read_text())
         self.assertEqual(results[1:], results[:1] * 2)
 
-    def test_without_time_places_all_pieces(self):
+    def test_places_all_pieces_even_without_time(self):
         ran = run("nest", self.write(self.instance()), "--time", 0, "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertEqual(json.loads(ran.stdout)["placed"], 40)
@@ -58,7 +58,7 @@ class Nest(CliTest):
             self.assertNotIn("unplaced", written)
             self.assertLessEqual(max(piece["at"][0] for piece in written["pieces"]) + 40, 30 + length)
 
-    def test_says_what_the_cloth_has_no_room_for(self):
+    def test_reports_pieces_without_room_on_the_cloth(self):
         document = squares()
         document["strip"]["longest"] = 50
         document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
@@ -68,7 +68,7 @@ class Nest(CliTest):
         written = json.loads(self.path("out.json").read_text())
         self.assertEqual((len(written["pieces"]), len(written["unplaced"])), (2, 1))
 
-    def test_writes_every_sheet_to_a_file_of_its_own(self):
+    def test_writes_every_sheet_to_a_separate_file(self):
         ran = run("nest", self.write(self.instance()), "--moves", 300, "--sheets", "1500x1000*2,1500x1200",
                   "-o", self.path("laid.json"), "--svg", self.path("laid.svg"), "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)
@@ -127,7 +127,7 @@ class Pack(CliTest):
                 self.assertEqual(line["placed"], pieces)
                 self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
-    def test_takes_an_instance_without_a_solution_and_a_limit_of_nodes(self):
+    def test_accepts_an_instance_without_a_solution_and_a_node_limit(self):
         document = json.loads((MARKERS / "jeans_02g.json").read_text())
         del document["solution"]
         ran = run("pack", self.write(document), "--nodes", 50, "-o", self.path("out.json"), "--json")
@@ -146,18 +146,18 @@ class Pack(CliTest):
             self.assertEqual(ran.returncode, OK, ran.stderr)
             self.assertEqual(json.loads(ran.stdout)["length_after"], length)
 
-    def test_the_summary_says_what_is_proved(self):
+    def test_the_summary_states_what_is_proved(self):
         ran = run("pack", PACKING / "partition.json")
         self.assertIn("the shortest, proved", ran.stdout)
         ran = run("contain", PACKING / "slot.json")
         self.assertIn("pieces       found", ran.stdout)
 
-    def test_refuses_more_pieces_than_a_search_takes(self):
+    def test_refuses_too_many_pieces(self):
         ran = run("pack", MARKERS / "jeans_06g.json")
         self.assertEqual(ran.returncode, REFUSED)
         self.assertIn("120 pieces are not locked; an exact search takes at most 64", ran.stderr)
 
-    def test_contain_places_what_fits_and_proves_what_does_not(self):
+    def test_contain_places_pieces_or_proves_that_they_do_not_fit(self):
         ran = run("contain", PACKING / "slot.json", "-o", self.path("out.json"), "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)
         line = json.loads(ran.stdout)

@@ -161,7 +161,7 @@ class SameHereAndOnADaemon(ServerTest):
             self.assertEqual((ran.returncode, ran.stdout), (code, ""))
             self.assertFalse((self.folder / "o.json").exists())
 
-    def test_shows_the_token(self):
+    def test_sends_the_token(self):
         token = self.write("a token of some length\n", "token")
         other = self.write("another token of length\n", "other")
         daemon = self.start("--token-file", token)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a person sees: progress and colour on a terminal, rounded numbers, errors that say where.  usage: terminal_test.py SELVAGE"""
+"""Output for people: progress and colour on a terminal, rounded numbers, errors with their location.  usage: terminal_test.py SELVAGE"""
 import json
 import os
 import pty
@@ -40,11 +40,11 @@ class OnATerminal(CliTest):
             self.assertAlmostEqual(bar.count("#"), 24 * int(part) / 100, delta=1.2)
         self.assertRegex(shown, r"round \d+  \d+(\.\d+)? mm")
 
-    def test_short_work_shows_none(self):
+    def test_short_work_shows_no_bar(self):
         _, shown = on_terminal("compact", self.write(squares((0, 0), (50, 0))))
         self.assertNotIn("\r\033[K", shown)
 
-    def test_colour_is_for_terminals_that_want_it(self):
+    def test_colour_is_used_only_on_terminals_that_allow_it(self):
         marker = self.write(squares((0, 0), (50, 0)))
         self.assertIn("\033[32mvalid\033[0m", on_terminal("compact", marker)[1])
         self.assertIn("\033[1;31mselvage:\033[0m", on_terminal("check", "nowhere.json")[1])
@@ -62,7 +62,7 @@ class OnATerminal(CliTest):
 
 
 class Numbers(CliTest):
-    def test_are_rounded_for_people_and_whole_in_json(self):
+    def test_numbers_are_rounded_for_people_and_complete_in_json(self):
         compacted = self.path("out.json")
         summary = run("compact", JEANS, "-o", compacted).stdout
         length = json.loads(run("compact", JEANS, "--json").stdout)["length_after"]
@@ -70,7 +70,7 @@ class Numbers(CliTest):
         self.assertRegex(summary, rf"-> {length:.3f}".rstrip("0").replace(".", r"\."))
         self.assertRegex(summary, r"utilisation  \d\d\.\d\d % -> \d\d\.\d\d %")
 
-    def test_angles_carry_no_noise(self):
+    def test_angles_are_printed_without_rounding_noise(self):
         tilted = json.loads(run("tilt", JEANS, "--limit", "3", "--accuracy", "draft", "--json").stdout)
         self.assertEqual(tilted["farthest_tilt"], round(tilted["farthest_tilt"], 9))
 
@@ -79,7 +79,7 @@ class Mistakes(CliTest):
     def test_a_file_that_cannot_be_written_is_refused_before_the_work(self):
         for option in ("-o", "--svg", "--outlines"):
             for path in (self.path("no such folder") / "out.json", self.folder.name):
-                # The input does not exist either: had it been read first, it would be named.
+                # The input does not exist either; if it were read first, the error would name it.
                 ran = run("compact", "nowhere.json", option, path)
                 self.assertEqual(ran.returncode, FILE, option)
                 self.assertIn(f"{path} cannot be written", ran.stderr)
@@ -111,7 +111,7 @@ class Mistakes(CliTest):
         self.assertIn("crossed.json: ", ran.stderr)
         self.assertIn("edge", ran.stderr)
 
-    def test_an_overlap_suggests_what_helps(self):
+    def test_an_overlap_error_suggests_a_remedy(self):
         ran = run("compact", self.write(squares((0, 0), (9, 0))))
         self.assertEqual(ran.returncode, REFUSED)
         self.assertIn("selvage separate", ran.stderr)
@@ -128,7 +128,7 @@ class Defaults(CliTest):
 
 
 class Call(CliTest):
-    def test_takes_parameters_as_they_stand(self):
+    def test_accepts_parameters_on_the_command_line(self):
         marker = self.write(squares((0, 0), (50, 0)))
         written_out = run("call", "motion.gravity", '{"force": [-1, 0]}', "--marker", marker)
         self.assertEqual(written_out.returncode, OK, written_out.stderr)
@@ -136,7 +136,7 @@ class Call(CliTest):
         for others in (["--params", '{"force": [-1, 0]}'], [params], ["--params", params]):
             self.assertEqual(run("call", "motion.gravity", *others, "--marker", marker).stdout, written_out.stdout)
 
-    def test_answers_what_concerns_no_marker(self):
+    def test_runs_methods_without_a_marker(self):
         info = json.loads(run("call", "engine.info").stdout)
         self.assertEqual(info["name"], "selvage")
         self.assertIn("motion.compact", info["methods"])
@@ -145,7 +145,7 @@ class Call(CliTest):
         opened = run("call", "marker.open", json.dumps({"marker": squares((0, 0))}))
         self.assertEqual(json.loads(opened.stdout)["pieces"], 1)
 
-    def test_says_what_is_missing(self):
+    def test_names_missing_arguments(self):
         for arguments, said in ((["marker.watch", '{"markerId": "m1"}'], "--server"), (["motion.compact"], "--marker"),
                                 (["engine.info", "--marker", JEANS], "leave out --marker"),
                                 (["motion.compact", "{}", "--params", "{}", "--marker", JEANS], "once")):

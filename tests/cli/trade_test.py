@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""selvage convert on files of the trade.  An independent reader, ezdxf, judges the DXF that it writes.
+"""selvage convert on trade files.  An independent reader, ezdxf, judges the DXF that it writes.
 
 usage: trade_test.py SELVAGE EXAMPLES
 """
@@ -36,7 +36,7 @@ class Convert(unittest.TestCase):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         return ran
 
-    def test_every_example_goes_to_every_format(self):
+    def test_every_example_is_written_in_every_format(self):
         for source in sorted([*EXAMPLES.glob("*.dxf"), *EXAMPLES.glob("*.cut")]):
             for suffix in ("json", "svg", "dxf", "cut", "plt", "pdf", "xml"):
                 self.convert(source, self.path("out." + suffix))
@@ -76,7 +76,7 @@ class Convert(unittest.TestCase):
                 found = sorted((round(p.x, 4), round(p.y, 4)) for p in boundary.points())
                 self.assertEqual(found, sorted((round(x, 4), round(y, 4)) for x, y in piece["outline"]))
 
-    def test_options_of_reading(self):
+    def test_reading_options(self):
         out = self.path("o.json")
         self.convert(EXAMPLES / "richpeace_like.dxf", out, "--rules", EXAMPLES / "richpeace_like.rul", "--sizes", "M,XL", "--width", 1400,
                      "--nap", "either_way")
@@ -132,10 +132,10 @@ class Convert(unittest.TestCase):
             ran = run("convert", source, self.path("x.json"), option, value)
             self.assertEqual((ran.returncode, reason in ran.stderr), (code, True), ran.stderr)
 
-    def test_the_travel_of_the_knife_is_told(self):
+    def test_the_travel_of_the_knife_is_reported(self):
         self.assertIn("the knife travels", self.convert(EXAMPLES / "gemini_like.cut", self.path("k.cut")).stderr)
 
-    def test_what_cannot_be_read_is_refused_with_a_reason(self):
+    def test_unreadable_files_are_refused_with_a_reason(self):
         self.path("no.dxf").write_text("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n")
         ran = run("convert", self.path("no.dxf"), self.path("x.json"))
         self.assertEqual(ran.returncode, 3)

@@ -38,7 +38,7 @@ class InProcess(unittest.TestCase):
             self.assertTrue(marker.check().valid)
 
     def test_a_daemon_answers_the_same_bytes(self):
-        """The text itself: of the engine, and of a line that the daemon sends."""
+        """Compares the text of the engine's answer with the line that the daemon sends."""
         requests = [("marker.open", {"marker": json.loads(JEANS.read_text("utf-8"))}),
                     ("motion.compact", {"markerId": "m1"}), ("motion.float", {"markerId": "m1"}),
                     ("marker.get", {"markerId": "m1"}), ("marker.undo", {"markerId": "m1"}),

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What a notebook shows of the Python client, and what it says when a package is missing.
+"""What a notebook shows for objects of the Python client, and the errors when a package is missing.
 
 usage: python_notebook_test.py SELVAGED
 """
@@ -25,12 +25,12 @@ ELL = [(0.0, 0.0), (40.0, 0.0), (40.0, 15.0), (15.0, 15.0), (15.0, 40.0), (0.0, 
 
 
 def without(*modules):
-    """The packages are not installed, as far as imports can tell."""
+    """Makes imports fail as if the packages were not installed."""
     return mock.patch.dict(sys.modules, {module: None for module in modules})
 
 
 class Bar:
-    """Stands for tqdm.auto.tqdm."""
+    """A stand-in for tqdm.auto.tqdm."""
 
     made = []
 
@@ -57,7 +57,7 @@ class Shown(unittest.TestCase):
         self.client = self.enterContext(selvage_client.Client(self.daemon.address))
         self.marker = self.client.open(SQUARES)
 
-    def test_what_is_what(self):
+    def test_representations(self):
         self.assertEqual(repr(self.client), f"<Client of {self.daemon.address}>")
         self.assertEqual(repr(self.marker), f"<Marker m1 at revision 1, {self.daemon.address}>")
         self.assertIn("at revision unknown", repr(self.client.marker("m7")))
@@ -102,7 +102,7 @@ class Shown(unittest.TestCase):
             self.assertIsInstance(missing.exception, ImportError)
             self.assertIn(f"pip install 'selvage-client[{extra}]'", str(missing.exception))
             self.assertIn(module, str(missing.exception))
-        self.assertEqual(self.marker.check().revision, 1)  # nothing was begun
+        self.assertEqual(self.marker.check().revision, 1)  # no motion was started
 
     def test_a_solution_of_spyrrow_becomes_a_marker_and_back(self):
         instance = spyrrow.StripPackingInstance("ells", 60, [spyrrow.Item("ell", [*ELL, ELL[0]], 2, None)])
@@ -139,7 +139,7 @@ class Package(unittest.TestCase):
                      (ROOT / "clients/typescript/package.json").read_text("utf-8")):
             self.assertIn(version, text)
 
-    def test_an_array_is_made_by_numpy_1_and_by_numpy_2(self):
+    def test_arrays_work_with_numpy_1_and_numpy_2(self):
         import numpy
 
         outline = selvage_client.Outline("a", ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)))
@@ -149,7 +149,7 @@ class Package(unittest.TestCase):
             outline.__array__(copy=False)
 
     @unittest.skipUnless(shutil.which("mypy", path="/usr/bin"), "mypy is not installed")
-    def test_a_word_that_the_protocol_does_not_have_is_a_type_error(self):
+    def test_an_unknown_choice_is_a_type_error(self):
         with tempfile.TemporaryDirectory() as folder:
             for word, code in (("fine", 0), ("quick", 1)):
                 file = pathlib.Path(folder) / f"{word}.py"

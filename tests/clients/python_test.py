@@ -95,7 +95,7 @@ class Sync(LiveTest):
         self.start()
         self.assertEqual(marker.compact().length_after, 80)
 
-    def test_errors_have_classes_of_their_own(self):
+    def test_each_error_has_its_own_class(self):
         with self.assertRaises(selvage_client.CallError) as caught:
             self.client().marker("m9").check()
         self.assertEqual(caught.exception.code, -32012)

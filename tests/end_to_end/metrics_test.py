@@ -37,7 +37,7 @@ REQUIRED = {
 
 
 def text_after_calls(selvaged):
-    """The metrics of a daemon that has answered three calls, and when it was asked for them."""
+    """The metrics of a daemon that has answered three calls, and the time of the request."""
     with tempfile.TemporaryDirectory() as folder:
         ports = pathlib.Path(folder) / "ports"
         store = pathlib.Path(folder) / "store"

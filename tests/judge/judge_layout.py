@@ -66,7 +66,7 @@ class Piece:
         return self.abscissas[-1]
 
     def lies_on(self, height):
-        """True when a side of the outline lies at this y, and nothing of it beyond."""
+        """True when a side of the outline lies at this y and no part of it beyond."""
         sides = zip(self.outline, self.outline[1:] + self.outline[:1])
         return height in (self.low_y, self.high_y) and any(a[1] == b[1] == height for a, b in sides)
 
@@ -144,7 +144,7 @@ def foot(line):
 
 
 def crossing(one, other):
-    """Where two segments cross; None for parallel ones, and when they do not."""
+    """The point where two segments cross; None if they do not cross or are parallel."""
     (ax, ay), (bx, by) = one
     (cx, cy), (dx, dy) = other
     turn = (bx - ax) * (dy - cy) - (by - ay) * (dx - cx)
@@ -189,7 +189,7 @@ def may_share_cloth(one, other):
 
 
 def overlaps(pieces):
-    """Yields (one, other, abscissas) for every pair that overlaps and may not."""
+    """Yields (one, other, abscissas) for every pair with a forbidden overlap."""
     near = []
     for piece in sorted(pieces, key=lambda p: p.low_x):
         near = [other for other in near if other.high_x > piece.low_x]
@@ -201,7 +201,7 @@ def overlaps(pieces):
 
 
 def broken_rules(piece, rules, strip):
-    """Yields what of the rules for one piece's position is broken; all numbers in the same unit."""
+    """Yields the violated rules for one piece's position; all numbers are in the same unit."""
     own = {**strip, **rules}
     on_lower = rules.get("fold") and piece.lies_on(0)
     on_upper = rules.get("fold") and strip.get("tube") and piece.lies_on(strip["height"])
@@ -244,7 +244,7 @@ def violations(layout):
     lengths = [{key: value for key, value in rules.items() if key in ("below", "above", "from", "to", "shade")}
                for rules in [layout] + [piece.get("rules", {}) for piece in layout["pieces"]]]
     numbers += [value for rules in lengths for value in rules.values() if not isinstance(value, str)]
-    unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # multiplied by it, all numbers are whole
+    unit = math.lcm(*(Fraction(number).denominator for number in numbers))  # all numbers are whole multiples of 1 / unit
     whole = lambda number: int(number * unit)
     decimal = lambda number: number / unit
 

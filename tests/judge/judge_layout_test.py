@@ -133,7 +133,7 @@ class ClothsRules(Judged):
             self.breaks("nap", square, rules=[{"nap": "up", "rotation": rotation}])
         self.keeps(square, rules=[{"nap": "down", "rotation": 180}])
 
-    def test_zones_lie_anywhere_but_under_no_piece(self):
+    def test_zones_lie_anywhere_except_under_pieces(self):
         zone = {"zone": True}
         square, flaw = box(10, 10, 10, 10), box(20, -5, 60, 200)
         self.keeps(square, flaw, box(30, 0, 100, 10), below=5, rules=[{}, zone, zone])
@@ -148,7 +148,7 @@ class ClothsRules(Judged):
         self.breaks("along y", square, repeat=repeat, rules=[{"match": [17, 16]}])
         self.keeps(square, repeat={"across": 10}, rules=[{"match": [17 + LEAST, 10]}])
 
-    def test_shades_are_as_long_as_they_may_be(self):
+    def test_shades_may_have_the_full_allowed_length(self):
         squares = box(10, 0, 10, 10), box(60, 0, 10, 10), box(90, 0, 10, 10)
         rules = [{"shade": "A"}, {"shade": "A"}, {"shade": "B"}]
         self.keeps(*squares, rules=rules)

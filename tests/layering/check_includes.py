@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Includes follow the arrows clients -> server -> protocol -> core, and inside them the links of the build: a header uses
 what its folder's library links publicly, a source also what it links privately.  No folders depend on each other in a
-circle, at any level.  Libraries of others are seen only by their one adapter.  Motions of one piece reach no solver.
+circle, at any level.  Each third-party library is used only by its adapter.  Motions of one piece use no solver.
 
 usage: check_includes.py ROOT        exit 0: all includes follow; 1: some do not, each named
        check_includes.py --self-test
@@ -13,7 +13,7 @@ import tempfile
 
 from sources import INCLUDE, TOPS, libraries, reachable, sources
 
-# A top folder, and those that it may use besides itself.  The command line runs motions in its own process, so it uses
+# A top folder, and the other top folders that it may use.  The command line runs motions in its own process, so it uses
 # the core and the protocol; it talks to a daemon through the C++ client, never through the server's code.
 ALLOWED = {
     "core": (),
@@ -23,7 +23,7 @@ ALLOWED = {
     "clients/cli": ("core", "protocol", "clients/cpp", "clients/engine"),
     "clients/engine": ("core", "protocol"),
 }
-# Libraries of others, and the only places that may see them.
+# Third-party libraries, and the only folders that may use them.
 ONLY_IN = {
     "Cbc": ("core/lp/integer/cbc.cpp",),
     "Clp": ("core/lp/solver/clp.cpp",),
@@ -45,8 +45,8 @@ ONLY_IN = {
     "pybind11/": ("clients/engine/module.cpp",),
     "CGAL/": (),
 }
-# Motions that solve no linear program: neither they nor the sources of what they include know more of one than what it
-# looks like.  The repair of overlaps, which comes before them where pieces overlap, is a motion of its own.
+# Motions that solve no linear program: neither they nor the sources of what they include may use more than the data
+# types of linear programs.  The repair of overlaps, which runs first if pieces overlap, is a separate motion.
 WITHOUT_PROGRAMS = [
     "core/motion/piece/bump",
     "core/motion/piece/relax",
@@ -95,7 +95,7 @@ def include_faults(root):
 
 
 def folder_arrows(root):
-    """Which folder includes from which."""
+    """The includes between folders."""
     arrows = set()
     for name, text in sources(root):
         for included in INCLUDE.findall(text):
@@ -105,7 +105,7 @@ def folder_arrows(root):
 
 
 def circles(arrows):
-    """Circles among the folders that share a parent, each with all that is in it; a parent's own files are one of them."""
+    """Circles among the folders that share a parent, each with its subfolders; the parent's own files count as one folder."""
     levels = {}
     for a, b in arrows:
         first, second = a.split("/"), b.split("/")
@@ -142,7 +142,7 @@ def circles(arrows):
 
 
 def reached(root, source):
-    """All that a source includes, and their sources, with what led to each."""
+    """All headers that a source includes, and their sources, each with the file that led to it."""
     led = {source: None}
     ahead = [source]
     while ahead:
@@ -183,7 +183,7 @@ def write(root, files):
 
 
 def self_test():
-    """A planted fault of each kind is found."""
+    """Tests that a planted fault of each kind is found."""
     cmake = {
         "core/base/CMakeLists.txt": "selvage_library(core_base SOURCES a.cpp)\n",
         "core/geometry/CMakeLists.txt": "selvage_library(core_geometry PUBLIC core_base)\n",

@@ -25,7 +25,7 @@ def anchors_of(page):
 
 
 def fault_of(page, link):
-    """What is wrong with a link of a page; None: nothing."""
+    """What is wrong with a link of a page; None if it is correct."""
     path, _, anchor = link.partition("#")
     target = (page.parent / path).resolve() if path else page
     if not target.exists():

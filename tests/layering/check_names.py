@@ -2,7 +2,7 @@
 """No two types of one qualified name: two definitions in one binary would be undefined behaviour that no compiler
 reports.  Types in unnamed namespaces and inside functions do not count.  A type of the product is unique in the whole
 tree; one of a test or benchmark also, because tests of several folders are linked into one program.  Namespaces are
-named after folders, and no folder has more files than one can take in at a glance.
+named after folders, and no folder has more than MOST_FILES files.
 
 usage: check_names.py ROOT        exit 0: all names are unique; 1: some are not, each named
        check_names.py --self-test
@@ -16,7 +16,7 @@ from sources import TOPS, code_of, sources
 
 MOST_FILES = 15
 COUNTED = (".h", ".cpp", ".py", ".ts", ".txt", ".mjs", ".md")
-# Folders whose namespace is not their path: the ground floor, which every room uses unqualified, and the C++ client,
+# Folders whose namespace differs from their path: the folders that all others use unqualified, and the C++ client,
 # whose users write selvage::client.
 NAMESPACE_OF = {"core/base": "selvage", "clients/cpp": "selvage::client"}
 # Namespaces whose templates other folders specialise for their own types.
@@ -28,7 +28,7 @@ KINDS = ("struct", "class", "union", "enum")
 def types_of(code):
     """(qualified name, line) of every type that the code defines at namespace or class scope."""
     tokens = [(match.group(), code.count("\n", 0, match.start()) + 1) for match in TOKEN.finditer(code)]
-    scopes = []  # a name, or None for what hides names from other files
+    scopes = []  # a name, or None for a scope that hides names from other files
     opening = None  # what the next brace opens
     at = 0
     while at < len(tokens):
@@ -107,7 +107,7 @@ def size_faults(root):
 
 
 def self_test():
-    """A planted fault of each kind is found, and nothing else."""
+    """Tests that a planted fault of each kind is found, and nothing else."""
     files = {
         "core/motion/place.h": "namespace selvage::motion {\nstruct Place { int x; };\n}\n",
         "server/methods.h": "namespace selvage::motion {\nenum class Place : int { kOne };\n}\n",

@@ -1,4 +1,4 @@
-"""What the checks of this folder read: sources without comments and strings, includes, and the libraries of the build."""
+"""What the checks of this folder use: sources without comments and strings, includes, and the libraries of the build."""
 import pathlib
 import re
 
@@ -16,7 +16,7 @@ def sources(root, tops=TOPS):
 
 
 def code_of(text):
-    """The text without comments, string literals and preprocessor lines; line numbers stay."""
+    """The text without comments, string literals and preprocessor lines; line numbers do not change."""
     text = IGNORED.sub(lambda match: "\n" * match.group().count("\n"), text)
     return re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", "", text, flags=re.MULTILINE)
 

@@ -23,7 +23,7 @@ cp "$packages"/*.deb "$root/tmp"
 mount -t proc proc "$root/proc"
 inside apt-get update -q > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 
-# The command: it installs with nothing but what it depends on, and works.
+# The command can be installed with only its dependencies, and works.
 inside sh -c 'apt-get install -yq --no-install-recommends /tmp/selvage_*.deb' > "$folder/log" 2>&1 || fail "$(tail -n 30 "$folder/log")"
 cp examples/markers/jeans_02g.json "$root/tmp"
 inside selvage compact /tmp/jeans_02g.json -o /tmp/out.json > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
@@ -54,7 +54,7 @@ inside sh -c 'c++ -std=c++20 /tmp/shorten.cpp -o /tmp/shorten $(pkg-config --cfl
   fail "$(< "$folder/log")"
 grep -q valid "$folder/log" || fail "the program that was compiled: $(< "$folder/log")"
 
-# Removed, they leave what was configured; purged, nothing.
+# After removal the configuration remains; after a purge nothing does.
 inside apt-get remove -yq selvage selvaged libselvage-dev > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 [[ ! -e $root/usr/bin/selvage && ! -e $root/usr/bin/selvaged ]] || fail "programs are left after removal"
 grep -q '# changed' "$root/etc/selvage/selvaged.toml" || fail "removal has lost the configuration"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# usage: hardening_test.sh SOURCE_DIRECTORY BUILD_DIRECTORY PROGRAM...
-# How the programs are compiled and linked: what makes a mistake harder to exploit.
+# usage: hardening_test.sh SOURCE_DIRECTORY BUILD_DIRECTORY PROGRAM... Checks that the programs are compiled and linked
+# with options that make bugs harder to exploit.
 set -euo pipefail
 export LC_ALL=C
 source=$1

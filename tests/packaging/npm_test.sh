@@ -14,7 +14,7 @@ fail() {
   exit 1
 }
 
-# What git would give to others: nothing that an earlier build has left behind.
+# Uses a fresh clone, without files of earlier builds.
 mkdir "$folder/clone"
 (cd "$source" && git ls-files -z --cached --others --exclude-standard clients/typescript | xargs -0 cp --parents -t "$folder/clone")
 cd "$folder/clone/clients/typescript"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# usage: packaging_test.sh SOURCE BUILD     installs the build into a folder and lives through a day of its life there
+# usage: packaging_test.sh SOURCE BUILD installs the build into a folder and tests a daemon's life cycle there
 set -euo pipefail
 source=$1
 build=$2
@@ -32,7 +32,7 @@ done
 "$source/packaging/build.sh" configure "$folder/build" > "$folder/configured" 2>&1 || fail "$(< "$folder/configured")"
 ! grep -q 'not used by the project' "$folder/configured" || fail "$(< "$folder/configured")"
 
-# The step that the Dockerfile runs, and what must have come of it.
+# The step that the Dockerfile runs, and its expected results.
 "$source/packaging/build.sh" install "$build" "$folder/usr" > /dev/null
 for file in bin/selvaged bin/selvage libexec/selvage/healthcheck.sh lib/systemd/system/selvaged.service share/man/man1/selvage.1 \
   share/bash-completion/completions/selvage; do
@@ -88,7 +88,7 @@ wait "$daemon" || fail "exit code $? after SIGTERM: $(< "$folder/log")"
 daemon=
 ! "$healthcheck" "$port" 2> /dev/null || fail "the healthcheck of a daemon that is gone"
 
-# With TLS of its own.
+# With its own TLS certificate.
 openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -subj /CN=localhost \
   -keyout "$folder/key.pem" -out "$folder/certificate.pem" 2> /dev/null
 "$selvaged" --listen 127.0.0.1:0 --tls-cert "$folder/certificate.pem" --tls-key "$folder/key.pem" \

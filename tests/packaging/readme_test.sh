@@ -2,8 +2,8 @@
 # usage: readme_test.sh SOURCE     runs the commands of README.md, as they stand there, in a fresh clone of the source
 #
 # Commands are the lines of indented blocks that begin with "$ ", and those of the block after "On Debian 12:", of which
-# ./dev test is left out: it is what runs this.  Lines about containers are left out where there is no docker.  The daemon
-# runs until the end; it must be free to listen on port 7171.
+# ./dev test is left out, because that is what runs this test.  Lines about containers are left out where there is no
+# docker.  The daemon runs until the end; it must be free to listen on port 7171.
 set -euo pipefail
 source=$(realpath "$1")
 folder=$(mktemp -d)

@@ -1,4 +1,4 @@
-// Names with markup, markers of one piece and of 20,000, outlines of 2,000 vertices, an engine that is far away, and a long day.
+// Names with markup, markers of one piece and of 20,000, outlines of 2,000 vertices, a slow connection, and long use.
 import assert from "node:assert/strict";
 import net from "node:net";
 import { test } from "node:test";
@@ -78,7 +78,7 @@ test("an outline of 2,000 vertices", () => {
   });
 });
 
-test("200 ms away: the piece follows the hand at once, and its neighbours catch up", async () => {
+test("with a delay of 200 ms the piece follows the pointer at once, and its neighbours catch up", async () => {
   const daemon = await startDaemon();
   const { markerId } = await call(daemon.port, "marker.open", { marker: squares(6) });
   const late = (from, to) => from.on("data", (bytes) => setTimeout(() => to.writable && to.write(bytes), 100));
@@ -94,7 +94,7 @@ test("200 ms away: the piece follows the hand at once, and its neighbours catch 
   const [x, y] = await spot(page, "p1");
   const { scale } = await page.ask("selvageRoom.view()");
   await page.drag([x, y], [x + 4 * scale, y], { hold: true, steps: 3, pause: 5 });
-  // One frame later, long before any answer, the piece is where the hand is.
+  // One frame later, long before any answer, the piece is at the pointer.
   await page.ask("new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))");
   const [u] = await spot(page, "p1");
   assert.ok(Math.abs(u - x - 4 * scale) < 1.5, `${u - x} of ${4 * scale}`);
@@ -107,7 +107,7 @@ test("200 ms away: the piece follows the hand at once, and its neighbours catch 
   await daemon.stop();
 });
 
-test("a clock that jumps", () =>
+test("the page works when the clock jumps", () =>
   onMarker(squares(4), async (page, port, markerId) => {
     await page.ask(`(() => { const now = Date.now; Date.now = () => now() - 86_400_000 * 400; })()`);
     const [x, y] = await spot(page, "p1");
@@ -136,7 +136,7 @@ test("drags, results and dialogues leave nothing behind in the page's memory", (
         await page.press("Done", "dialog");
       }
     };
-    await day(); // makes what is made once
+    await day(); // creates everything that is created only once
     const before = await page.living();
     await day();
     const after = await page.living();

@@ -7,7 +7,7 @@ import { join } from "node:path";
 const program = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const flags = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars", "--force-color-profile=srgb", "--remote-debugging-pipe"];
 
-/** A browser of its own, with a profile that is removed with it. */
+/** A browser with a profile that is removed at the end. */
 export class Browser {
   #ids = 0;
   #pending = new Map();
@@ -49,7 +49,7 @@ export class Browser {
     this.#listeners.add(listener);
   }
 
-  /** A page in a context of its own: another user, as far as the page can tell. */
+  /** A page in a separate context, like that of another user. */
   async open(url, { width = 1440, height = 860, language = "en-US", media = [], touch = false, token = undefined } = {}) {
     const { browserContextId } = await this.send("Target.createBrowserContext");
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank", browserContextId });
@@ -71,7 +71,7 @@ const KEYS = { Backspace: 8, ArrowLeft: 37, ArrowUp: 38, ArrowRight: 39, ArrowDo
 const MODIFIERS = { alt: 1, control: 2, shift: 8 };
 
 export class Page {
-  /** What the page reported: errors, messages of its console, and refused loads. */
+  /** The page's errors, console messages and refused loads. */
   faults = [];
   requests = [];
 
@@ -118,7 +118,7 @@ export class Page {
     return result.value;
   }
 
-  /** Waits until an expression is true, and answers with its value; fails after a minute and says what it waited for. */
+  /** Waits until an expression is true and returns its value; fails after a minute with the expression. */
   async until(expression, what = expression) {
     for (const end = Date.now() + 60_000; Date.now() < end; await new Promise((resolve) => setTimeout(resolve, 20))) {
       const value = await this.ask(expression).catch(() => undefined);
@@ -128,13 +128,13 @@ export class Page {
   }
 
   /**
-   * How much lives in the page's memory once all that can be is collected, and the counts no longer fall: nodes, listeners, functions, and objects
-   * of the page's own. A node's wrapper is no object of its own: the browser makes it when script looks at the node, and may collect it while the node lives.
+   * The number of nodes, listeners, functions and the page's own objects in memory after garbage collection, once the counts no longer fall.
+   * A node's wrapper does not count: the browser creates it when a script accesses the node, and may collect it while the node exists.
    */
   async living() {
     let now = await this.countedNow();
     for (let tries = 0, same = 0; tries < 20 && same < 2; ++tries) {
-      await new Promise((resolve) => setTimeout(resolve, 200)); // for what ends with what was collected, and for timers
+      await new Promise((resolve) => setTimeout(resolve, 200)); // for finalisers and timers
       const next = await this.countedNow();
       same = Object.keys(now).every((kind) => next[kind] >= now[kind]) ? same + 1 : 0;
       now = next;
@@ -162,7 +162,7 @@ export class Page {
     return this.ask(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`);
   }
 
-  /** Clicks an element, again if what the page learnt meanwhile has moved it away from under the pointer. */
+  /** Clicks an element; repeats that if an update of the page has meanwhile moved it away from the pointer. */
   async click(selector) {
     const find = `document.querySelector(${JSON.stringify(selector)})`;
     for (let tries = 0; tries < 10; ++tries) {
@@ -220,7 +220,7 @@ export class Page {
     return this.send("Input.insertText", { text });
   }
 
-  /** Types a text into a field in place of what it holds, and leaves the field. */
+  /** Replaces the text in a field and leaves the field. */
   async enter(selector, text) {
     await this.click(selector);
     await this.key("a", "control");

@@ -1,4 +1,4 @@
-// By engine: every result is looked at first, and then taken, kept beside, or dropped.
+// Motions by the engine: every result is shown first, and then taken, kept or dropped.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { assertValid, atRevision, call, choose, example, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
@@ -40,7 +40,7 @@ test("a dropped result leaves the marker as it was", () =>
     await lengthBecomes(page, "2,460.4 mm");
   }));
 
-test("results kept beside are compared and taken later, in one step, although the marker was edited meanwhile", () =>
+test("kept results are compared and taken later, in one step, although the marker was edited meanwhile", () =>
   story(here, async (page, port) => {
     await page.press("Standard");
     await page.until(offered);
@@ -62,7 +62,7 @@ test("results kept beside are compared and taken later, in one step, although th
     await atRevision(page, before + 2);
   }));
 
-test("the fine search shows its best so far, draws its curve, and stops with it", () =>
+test("the fine search shows its best result so far, draws its curve, and returns it when stopped", () =>
   story(here, async (page, port) => {
     await page.press("Fine");
     await page.until(offered, "a better marker while the search goes on");
@@ -141,7 +141,7 @@ test("a gap opens along a drawn line, and pieces fall along a drawn arrow", asyn
   await daemon.stop();
 });
 
-test("nesting places what is not on the cloth, shows its best so far, and is taken in one step", async () => {
+test("nesting places unplaced pieces, shows its best result so far, and is taken in one step", async () => {
   const daemon = await startDaemon();
   const marker = { ...squares(1), unplaced: Array.from({ length: 9 }, (_, k) => ({ id: `u${k}`, shape: "square" })) };
   const { markerId } = await call(daemon.port, "marker.open", { marker });
@@ -193,7 +193,7 @@ const markerOf = (width, shapes, pieces, more = {}) => ({
   ...more,
 });
 
-test("gaps are filled: a small piece goes into a hole, and so does one that was not on the cloth", async () => {
+test("gaps are filled: a small piece goes into a hole, and so does an unplaced piece", async () => {
   const shapes = [box("lying", 60, 20), box("square", 9, 9), box("post", 25, 10), box("tiny", 0.9, 9)];
   const marker = markerOf(50, shapes, [["lying", 0, 0], ["lying", 0, 30], ["post", 0, 20], ["post", 35, 20], ["square", 60, 0]], { unplaced: [{ id: "u", shape: "tiny" }] });
   marker.pieces[3].locked = true; // keeps the hole open
@@ -207,7 +207,8 @@ test("gaps are filled: a small piece goes into a hole, and so does one that was 
   assert.deepEqual({ length, unplaced, pieces }, { length: 60, unplaced: undefined, pieces: 6 });
 });
 
-// A layout that compaction cannot shorten, one or more times: the low bars have room above the tall ones, but no way to it.
+// One or more copies of a layout that compaction cannot shorten: there is room for the low bars above the tall ones, but
+// they cannot get there.
 function bars(times) {
   const half = [["whole", 0, 0], ["tall", 20, 0], ["low", 20, 65], ["tall", 50, 0], ["tall", 80, 0], ["low", 110, 0], ["low", 110, 35], ["whole", 140, 0]];
   const pieces = Array.from({ length: times }, (_, k) => half.map(([shape, x, y]) => [shape, x + 160 * k, y])).flat();
@@ -260,7 +261,7 @@ test("two revisions are compared as outlines, and the earlier one is taken again
     assert.equal(await page.text("#gain"), "0.0 mm");
   }));
 
-test("without a pointer: arrow keys say which way a gap opens and pieces fall", async () => {
+test("without a pointer: arrow keys choose the direction in which a gap opens and pieces fall", async () => {
   const daemon = await startDaemon();
   const { markerId } = await call(daemon.port, "marker.open", { marker: { ...squares(4), strip: { width: 100, longest: 400 } } });
   const page = await visit(here.browser, daemon.port, { marker: markerId });
@@ -282,7 +283,7 @@ test("without a pointer: arrow keys say which way a gap opens and pieces fall", 
   await daemon.stop();
 });
 
-test("exact compaction: of all that is in view, or around the selected pieces", async () => {
+test("exact compaction of everything in view, or around the selected pieces", async () => {
   assert.equal((await lengthAfter(bars(1), "Exactly")).length, 130);
   const prepare = async (page) => {
     await page.key("0"); // all of it
@@ -293,7 +294,7 @@ test("exact compaction: of all that is in view, or around the selected pieces", 
   assert.equal((await lengthAfter(bars(2), "Exactly", { prepare })).length, 290);
 });
 
-test("what each rule, lock and millimetre costs, in length and in money", async () => {
+test("the price of each rule, lock and millimetre, in length and in money", async () => {
   const daemon = await startDaemon();
   const { markerId } = await call(daemon.port, "marker.open", { marker: { ...squares(4), spacing: 3 } });
   await call(daemon.port, "motion.compact", { markerId });

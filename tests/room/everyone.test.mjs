@@ -38,7 +38,7 @@ for (const [look, media] of Object.entries(looks)) {
     }, { page: { media } }));
 }
 
-test("all by keyboard: from piece to piece, bump, compact, take; the figures are read out", () =>
+test("everything works by keyboard: from piece to piece, bump, compact, take; the figures are read out", () =>
   story(here, async (page, port) => {
     await page.ask(`document.querySelector("#top").focus()`);
     await page.key("Tab");
@@ -56,7 +56,7 @@ test("all by keyboard: from piece to piece, bump, compact, take; the figures are
     await page.until(`/^Length [\\d,.]+ mm, utilisation/.test(document.querySelector("#live").textContent)`);
   }));
 
-test("Tab is not caught by the canvas: after the last piece it goes on", () =>
+test("the canvas does not trap Tab: after the last piece the focus moves on", () =>
   story(here, async (page) => {
     await page.ask(`document.querySelector("#top").focus()`);
     for (let k = 0; k < 45; ++k) await page.key("Tab");
@@ -150,7 +150,7 @@ test("two fingers pan and zoom, one drags", () =>
     await assertValid(port, (await shown(page, port)).markerId);
   }, { page: { touch: true } }));
 
-test("a telephone's screen shows everything that matters", () =>
+test("a phone's screen shows everything important", () =>
   story(here, async (page) => {
     assert.equal(await page.ask("document.documentElement.scrollWidth"), 390);
     assert.deepEqual(await page.ask(readable), []);

@@ -1,4 +1,5 @@
-// By hand: dragging, bumping, turning, selecting, locking; every change ends valid, and one undo takes it back.
+// Editing by hand: dragging, bumping, rotating, selecting, locking.  Every change ends with a valid marker, and one
+// undo reverts it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { assertValid, atRevision, call, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
@@ -32,7 +33,7 @@ test("a drag pushes its neighbours aside", onSquares(6, async (page, port, marke
   assert.ok(placed(marker, "p2")[0] > 101);
 }));
 
-test("the other kind of drag moves nothing else, and slides along what it meets", onSquares(6, async (page, port, markerId) => {
+test("the other kind of drag moves no other piece, and slides along its neighbours", onSquares(6, async (page, port, markerId) => {
   await page.key("p");
   const before = (await shown(page, port)).marker;
   const [x, y] = await spot(page, "p1");
@@ -53,7 +54,7 @@ test("Escape ends a drag and puts everything back", onSquares(6, async (page, po
   assert.equal((await call(port, "marker.get", { markerId })).revision, 1);
 }));
 
-test("with Shift a piece goes anywhere; what it overlaps is separated, and one undo takes all back", onSquares(6, async (page, port) => {
+test("with Shift a piece can be moved anywhere; overlaps are then separated, and one undo reverts all of it", onSquares(6, async (page, port) => {
   const before = (await shown(page, port)).marker;
   const [x, y] = await spot(page, "p4");
   const [toX, toY] = await spot(page, "p1");
@@ -118,7 +119,7 @@ test("rotate, flip and tilt within what the shape allows", async () => {
   await daemon.stop();
 });
 
-test("a rubber band selects, and what is selected moves, groups and locks together", onSquares(6, async (page, port) => {
+test("a rubber band selects pieces, which are then moved, grouped and locked together", onSquares(6, async (page, port) => {
   const [ax, ay] = await spot(page, "p0");
   const [bx, by] = await spot(page, "p2");
   const scale = (await page.ask("selvageRoom.view()")).scale;
@@ -153,7 +154,7 @@ test("wheel zooms at the pointer, right button pans, 0 fits", (t) =>
 
 const centre = (page, selector) => page.ask(`(() => { const r = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2]; })()`);
 
-test("unplaced pieces wait in the tray: one is dragged onto the cloth, one pressed, and counts fall", onSquares(2, async (page, port, markerId) => {
+test("unplaced pieces are in the tray: one is dragged onto the cloth, one pressed, and the counts decrease", onSquares(2, async (page, port, markerId) => {
   await page.until(`document.querySelector("#tray")?.textContent.includes("× 3")`, "the tray");
   const from = await centre(page, ".tray-row");
   const canvas = await centre(page, "#top");
@@ -191,7 +192,7 @@ const gaps = {
   unplaced: ["u1", "u2"].map((id) => ({ id, shape: "square" })),
 };
 
-test("all places where an unplaced piece fits are shown: one is clicked, one chosen by keys", onSquares(1, async (page, port, markerId) => {
+test("all places where an unplaced piece fits are shown; one is clicked, one chosen by keys", onSquares(1, async (page, port, markerId) => {
   await page.key("0"); // all of it
   const ready = `document.querySelector("#places").textContent.startsWith("Places where it fits")`;
   const fits = () => page.press("Show where");
@@ -218,7 +219,7 @@ test("all places where an unplaced piece fits are shown: one is clicked, one cho
   assert.deepEqual(await page.ask("selvageRoom.places()"), []);
 }, gaps));
 
-test("where a piece fits nowhere, the page says so; Escape ends the question", onSquares(1, async (page) => {
+test("the page says when a piece fits nowhere; Escape ends the search", onSquares(1, async (page) => {
   await page.press("Show where");
   await page.until(`document.querySelector("#places").textContent.startsWith("It fits nowhere")`);
   await page.key("Escape");
@@ -237,7 +238,7 @@ test("pieces may overlap by what the marker, or the piece itself, allows; both a
   await atRevision(page, 3);
   const own = () => shown(page, port).then(({ marker }) => marker.pieces.find(({ id }) => id === "p1").overlap);
   assert.equal(await own(), 1.5);
-  // Pressed together they overlap by that much; without the allowance the page separates them again.
+  // Pushed together they overlap by that much; without the allowance the page separates them again.
   await call(port, "motion.compact", { markerId });
   await atRevision(page, 4);
   const before = (await call(port, "marker.list")).markers[0].length;

@@ -26,7 +26,7 @@ function lines(port) {
   return { call, end: () => socket.end() };
 }
 
-/** What lies where after each move of the hand, and then after the compaction. */
+/** The positions after each move of the drag, and then after the compaction. */
 async function frames(port) {
   const { call, end } = lines(port);
   const { markerId, length } = await call("marker.open", { marker: example("jeans_02g") });
@@ -53,7 +53,7 @@ const short = (value) => Math.round(value * 10) / 10;
 function picture({ marker, shown }) {
   const { width } = marker.strip;
   const shapes = new Map(marker.shapes.map((shape) => [shape.id, shape]));
-  // The drag takes half of the time, the compaction a tenth; in between, and at the end, everything rests.
+  // The drag takes half of the time, the compaction a tenth; in between, and at the end, nothing moves.
   const times = shown.map((_, k) => (k < shown.length - 1 ? 0.06 + (0.44 * k) / (shown.length - 2) : 0.72));
   const keys = [0, ...times.slice(0, -1), 0.62, times.at(-1), 1].map((time) => Math.round(time * 1000) / 1000).join(";");
   const values = (of) => [of(shown[0]), ...shown.slice(0, -1).map(of), of(shown.at(-2)), of(shown.at(-1)), of(shown.at(-1))];

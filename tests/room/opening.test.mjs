@@ -1,4 +1,4 @@
-// What happens without any step, and how markers come and go.
+// What happens when the page is opened, and how markers are opened, saved and copied.
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -9,13 +9,13 @@ import { call, choose, example, shown, squares, startDaemon, story, token, visit
 
 const here = withBrowser();
 
-test("a marker is there to play with", () =>
+test("an example marker is open", () =>
   story(here, async (page, port) => {
     const { marker } = await shown(page, port);
     assert.equal(marker.name, "jeans_02g");
     assert.equal(await page.text("#length"), "2,460.4 mm");
     assert.equal(await page.text("#utilisation"), "81.11 %");
-    // Nothing comes from elsewhere.
+    // Nothing is loaded from other sites.
     for (const url of page.requests) assert.match(url, new RegExp(`^(https?|ws)://localhost:${port}/`));
     const painted = await page.ask(`performance.getEntriesByName("first-contentful-paint")[0]?.startTime`);
     assert.ok(painted > 0);
@@ -30,7 +30,7 @@ test("the marker that is open already is shown, not a new one", async () => {
   await daemon.stop();
 });
 
-test("the page is small, kept by hash, and may load nothing from elsewhere", async () => {
+test("the page is small, cached by hash, and may load nothing from other sites", async () => {
   const daemon = await startDaemon();
   const page = await fetch(`http://127.0.0.1:${daemon.port}/`);
   const html = await page.text();
@@ -122,7 +122,7 @@ test("a pattern is opened with its rule table and an order, and written for the 
     }
   }));
 
-test("a file that is no marker is refused in words", () =>
+test("a file that is not a marker is refused with a message", () =>
   story(here, async (page) => {
     await page.ask(`(() => {
       const transfer = new DataTransfer();

@@ -14,7 +14,7 @@ before(async () => {
   server = createServer((_, response) => response.writeHead(200, { "Content-Type": "text/html" }).end("<title>a site</title>"));
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   ({ port } = server.address());
-  // Their names lead to this machine, but to the browser they are sites like any other.
+  // Their names resolve to this machine, but the browser treats them like any other site.
   browser = await Browser.launch([`--host-resolver-rules=${sites.map((site) => `MAP ${site} 127.0.0.1`).join(",")}`]);
 });
 after(async () => {
@@ -22,7 +22,7 @@ after(async () => {
   server.close();
 });
 
-/** What a page of the site gets from a call to the daemon: the status and the method that answered, or the error. */
+/** The result of a call to the daemon by a page of the site: the status and the method, or the error. */
 async function callFrom(site, daemon, headers) {
   const page = await browser.open(`http://${site}:${port}/`);
   await page.until(`document.title === "a site"`);
@@ -40,7 +40,7 @@ test("a page of an allowed origin calls over HTTP", async () => {
   await daemon.stop();
 });
 
-test("it adds the token, and may read that it was refused", async () => {
+test("it sends the token, and may read a refusal", async () => {
   const daemon = await startDaemon({ more: ["--allow-origin", `http://front.example:${port}`], locked: true });
   assert.deepEqual(await callFrom("front.example", daemon, { Authorization: `Bearer ${token}` }), [200, "selvage"]);
   assert.deepEqual(await callFrom("front.example", daemon, { Authorization: "Bearer guessed" }), [401, false]);

@@ -16,7 +16,7 @@ async function native(name) {
 const round = (figures) => Object.fromEntries(Object.entries(figures).map(([name, value]) => [name, Math.round(value * 100) / 100]));
 const summary = async (page, kind) => round(await page.ask(`selvageRoom.times.${kind}.summary()`));
 
-// A piece near the middle is led around, as a hand would, at sixty positions a second.
+// Drags a piece near the middle around, at sixty positions a second.
 async function dragAround(page, piece, moves) {
   const [x, y] = await spot(page, piece);
   await page.ask("Object.values(selvageRoom.times).forEach((times) => times.clear())");
@@ -50,7 +50,7 @@ async function onMarker(browser, marker, piece, zoom) {
   return { opened: Math.round(opened), firstPaint: Math.round(paint), ...dragged, panned, pannedWhole };
 }
 
-// Key 0 shows the whole marker or, of a long one in turn, its whole width.
+// Key 0 shows the whole marker or, alternately for a long one, its whole width.
 async function whole(page) {
   const scale = () => page.ask("selvageRoom.view().scale");
   await page.key("0");
@@ -83,7 +83,7 @@ const tiles = (count) => {
   return marker;
 };
 
-// A marker so many times one behind another, as garments are: outlines of a hundred vertices.
+// Copies of a garment-like marker one behind another, with outlines of a hundred vertices.
 const repeated = (marker, times) => {
   const { pieces, ...rest } = marker;
   return { ...rest, pieces: Array.from({ length: times }, (_, k) => pieces.map((piece) => ({ ...piece, id: `${piece.id}-${k}`, at: [piece.at[0] + k * LONG, piece.at[1]] }))).flat() };
@@ -113,7 +113,7 @@ async function memoryOver(browser, drags) {
     const counts = await page.living();
     return { ...counts, heapMiB: Math.round((await page.send("Runtime.getHeapUsage")).usedSize / 1048.576) / 1000 };
   };
-  await many(Math.ceil(drags / 10)); // makes what is made once
+  await many(Math.ceil(drags / 10)); // creates everything that is created only once
   const series = [await kept()];
   for (let k = 0; k < 4; ++k) {
     await many(Math.ceil(drags / 4));
@@ -123,7 +123,7 @@ async function memoryOver(browser, drags) {
   return { drags: 4 * Math.ceil(drags / 4), series };
 }
 
-// What is wanted of the figures, each with how it is read from them.
+// The goals, each with the function that reads its figure.
 const GOALS = [
   ["440 pieces", "script per frame while dragged, p95", 4, ({ frame }) => frame.p95],
   ["1,000 pieces", "script per frame while dragged, p95", 8, ({ frame }) => frame.p95],

@@ -8,13 +8,13 @@ import { assertValid, atRevision, call, revision, shown, spot, squares, startDae
 
 const here = withBrowser();
 
-/** Both pages show the piece at the same place, once it has glided there. */
+/** Waits until both pages show the piece at the same place, after its animation. */
 async function assertSeenAlike(page, other, piece) {
   const [x, y] = await other.ask(`new Promise((resolve) => setTimeout(() => resolve(selvageRoom.spotOf("${piece}")), 400))`);
   await page.until(`Math.hypot(selvageRoom.spotOf("${piece}")[0] - ${x}, selvageRoom.spotOf("${piece}")[1] - ${y}) < 0.01`, "the same place in both");
 }
 
-test("what one does the other sees, and is told", () =>
+test("each page shows and reports the changes of the other", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
     const other = await visit(here.browser, port, { marker: markerId });
@@ -31,7 +31,7 @@ test("what one does the other sees, and is told", () =>
     assert.deepEqual(other.faults, []);
   }));
 
-test("two users drag one piece: the second is told so, and nothing is lost", () =>
+test("two users drag one piece: the second gets a message, and nothing is lost", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
     const other = await visit(here.browser, port, { marker: markerId });
@@ -48,7 +48,7 @@ test("two users drag one piece: the second is told so, and nothing is lost", () 
     await assertValid(port, markerId);
   }));
 
-test("a daemon that dies and comes back with its store: shown, retried, nothing lost", async () => {
+test("a daemon is killed and restarted with its store: the page shows it, retries, and loses nothing", async () => {
   const folder = mkdtempSync(join(tmpdir(), "selvage-store-"));
   const more = ["--store", join(folder, "store")];
   const first = await startDaemon({ more });
@@ -58,7 +58,7 @@ test("a daemon that dies and comes back with its store: shown, retried, nothing 
   await page.drag([x, y], [x + 30, y - 20], { hold: true });
   await first.stop("SIGKILL");
   await page.until(`document.querySelector("#status").dataset.state === "lost"`);
-  // The hand goes on; the piece follows it, and is put down although there is no daemon.
+  // The drag continues; the piece follows it and is put down although there is no daemon.
   await page.mouse("mouseMoved", x + 60, y - 40);
   await page.mouse("mouseReleased", x + 60, y - 40);
   const second = await startDaemon({ port: first.port, more });
@@ -71,7 +71,7 @@ test("a daemon that dies and comes back with its store: shown, retried, nothing 
   rmSync(folder, { recursive: true });
 });
 
-test("a daemon that comes back without the marker gets it from the page", async () => {
+test("a daemon that is restarted without the marker gets it from the page", async () => {
   const first = await startDaemon();
   const page = await visit(here.browser, first.port);
   await page.key("c");
@@ -88,7 +88,7 @@ test("a daemon that comes back without the marker gets it from the page", async 
   await second.stop();
 });
 
-test("a piece in one hand is marked for all others, where the hand has it, until it is let go", () =>
+test("a piece that one user drags is marked at its position for all others until it is released", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
     const other = await visit(here.browser, port, { marker: markerId });
@@ -113,7 +113,7 @@ test("a piece in one hand is marked for all others, where the hand has it, until
     await other.until(`selvageRoom.draggedByOthers().length === 0`, "no mark after the page is gone");
   }));
 
-test("who watches hears that a piece was let go before hearing where it lies now", () =>
+test("a watcher is notified that a piece was released before it is notified of its new position", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);
     const other = await visit(here.browser, port, { marker: markerId });

@@ -1,4 +1,4 @@
-// To understand: figures, money, worth, free cloth, cloth's rules, stripes, ruler, overview, printing.
+// Figures, money, prices, free cloth, cloth's rules, stripes, ruler, overview and printing.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { atRevision, call, choose, example, revision, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
@@ -6,7 +6,7 @@ import { atRevision, call, choose, example, revision, spot, squares, startDaemon
 const here = withBrowser();
 const offered = `document.querySelector("#offer").dataset.shown === "yes"`;
 
-/** A story on a marker of its own, without a fault of the page. */
+/** Runs a test on a marker of its own; the page must report no error. */
 const onMarker = (marker, act, options = {}) => async () => {
   const daemon = await startDaemon();
   const { markerId } = await call(daemon.port, "marker.open", { marker });
@@ -16,7 +16,7 @@ const onMarker = (marker, act, options = {}) => async () => {
   await daemon.stop();
 };
 
-/** The colour of the lower canvas at a point of the cloth, once what is known is drawn. */
+/** The colour of the lower canvas at a point of the cloth, after everything has been drawn. */
 const colourAt = (page, [u, v]) =>
   page.ask(`(async () => {
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
@@ -25,7 +25,7 @@ const colourAt = (page, [u, v]) =>
     const ratio = canvas.width / canvas.clientWidth;
     return [...canvas.getContext("2d").getImageData(Math.round((x + ${u} * scale) * ratio), Math.round((y - ${v} * scale) * ratio), 1, 1).data].slice(0, 3).join(" ");
   })()`);
-/** What a canvas shows, once it has come to rest. */
+/** The content of a canvas after all animations. */
 const shows = (page, canvas) => page.ask(`new Promise((resolve) => setTimeout(() => resolve(document.querySelector("${canvas}").toDataURL()), 400))`);
 const set = (page, text, value) =>
   page.ask(`(() => {
@@ -56,7 +56,7 @@ test("length, utilisation, and the gain since opening in millimetres and in mone
   assert.match(await page.text("#money"), /per ply2\.00 €/);
 }));
 
-test("the list of pieces is sorted by what they are worth, and says it", () =>
+test("the list of pieces is sorted by price and shows it", () =>
   story(here, async (page) => {
     await page.key("c");
     await page.until(offered);
@@ -72,7 +72,7 @@ test("the list of pieces is sorted by what they are worth, and says it", () =>
     await page.until(`document.querySelector("#pieces .option-detail").textContent.includes("cm²")`);
   }));
 
-test("what a degree of tilt is worth is said of a piece that may tilt", async () => {
+test("the price of a degree of tilt is shown for a piece that may tilt", async () => {
   const marker = example("jeans_02g");
   const daemon = await startDaemon();
   const { markerId } = await call(daemon.port, "marker.open", { marker });
@@ -98,7 +98,7 @@ test("what a degree of tilt is worth is said of a piece that may tilt", async ()
   await daemon.stop();
 });
 
-test("free cloth is shaded, and its amount is said", onMarker(squares(2), async (page) => {
+test("free cloth is shaded, and its amount is shown", onMarker(squares(2), async (page) => {
   const before = await colourAt(page, [70, 80]);
   await page.key("e");
   await page.click("#tab-length");
@@ -122,7 +122,7 @@ test("free cloth is darker where the smallest piece fits, and the page says wher
   const { markerId: next } = await call(port, "marker.open", { marker: walls(0, 75, 150) });
   await choose(page, next);
   await page.until(`document.querySelector("#cloth").textContent.includes("fits into 2 of them")`, "what fits in the other marker");
-  // Hidden in mid-search and shown again, it is whole.
+  // Hidden during the search and shown again, it is complete.
   await page.key("e");
   await page.key("e");
   await page.until(`document.querySelector("#cloth").textContent.includes("fits into 2 of them")`, "what fits, again");
@@ -139,7 +139,7 @@ const ruled = {
     { id: "two", shape: "square", at: [190, 20], rules: { shade: "A" } },
   ],
 };
-test("selvedges, the fold, bands and shades are drawn, and a piece's rules are said", onMarker(ruled, async (page) => {
+test("selvedges, the fold, bands and shades are drawn, and a piece's rules are listed", onMarker(ruled, async (page) => {
   const cloth = await colourAt(page, [120, 50]);
   assert.notEqual(await colourAt(page, [120, 6]), cloth, "the lower selvedge");
   assert.notEqual(await colourAt(page, [120, 95]), cloth, "the upper selvedge");
@@ -156,7 +156,7 @@ test("selvedges, the fold, bands and shades are drawn, and a piece's rules are s
   await told("one", "Shade A");
 }));
 
-test("a piece outside of its room makes the marker not valid, and is marked", onMarker({ ...squares(2), strip: { width: 100, below: 12 } }, async (page) => {
+test("a piece outside of its room makes the marker invalid and is marked", onMarker({ ...squares(2), strip: { width: 100, below: 12 } }, async (page) => {
   await page.until(`document.querySelector("#length + .figure-side").textContent === "not valid"`);
 }));
 
@@ -189,7 +189,7 @@ test("stripes, plaid and the middle of the cloth are drawn, and the pattern is t
   assert.notEqual(await shows(page, "#base"), before);
 }));
 
-test("selvedges and a piece's own rules are entered in fields; what a rule moves is one step to undo", onMarker(squares(3), async (page, port, markerId) => {
+test("selvedges and a piece's own rules are entered in fields; pieces moved by a rule are one step to undo", onMarker(squares(3), async (page, port, markerId) => {
   const marker = async () => (await call(port, "marker.get", { markerId })).marker;
   const rulesOf = async (id) => (await marker()).pieces.find((piece) => piece.id === id).rules ?? {};
   const pick = async (id) => {
@@ -222,7 +222,7 @@ test("selvedges and a piece's own rules are entered in fields; what a rule moves
   await page.until(`document.querySelector("#rule-fold").checked && selvageRoom.revision() >= ${since} + 6`, "put onto the fold");
   assert.deepEqual(await rulesOf("p1"), { to: 200, shade: "M-A", fold: true });
   assert.equal((await marker()).pieces.find(({ id }) => id === "p1").at[1], 0);
-  // What a field does not take is said in it, and nothing changes.
+  // A field shows why it refuses a value, and nothing changes.
   const now = await revision(page);
   await page.enter("#rule-above", "wide");
   assert.equal(await page.ask(`document.querySelector("#rule-above").validationMessage`), "A length in mm, 0 or more.");
@@ -252,7 +252,7 @@ test("a piece is matched to the pattern where it lies, and its match point can b
 }));
 
 const bundled = { ...squares(3), pieces: squares(3).pieces.map((piece, k) => ({ ...piece, attributes: { bundle: k < 2 ? "M-A" : "M-B" } })) };
-test("pieces are coloured by bundle, and a legend says which is which", onMarker(bundled, async (page) => {
+test("pieces are coloured by bundle, with a legend", onMarker(bundled, async (page) => {
   await inSettings(page, () => set(page, "Colour pieces by", "bundle"));
   await page.until(`document.querySelector("#legend").textContent === "M-AM-B"`);
   const fills = await Promise.all([10, 60, 110].map((x) => colourAt(page, [x, 25])));
@@ -260,7 +260,7 @@ test("pieces are coloured by bundle, and a legend says which is which", onMarker
   assert.notEqual(fills[1], fills[2]);
 }));
 
-test("the ruler measures, Escape takes it away", onMarker(squares(2), async (page) => {
+test("the ruler measures, and Escape removes it", onMarker(squares(2), async (page) => {
   const before = await shows(page, "#top");
   await page.key("m");
   await page.drag([500, 300], [640, 340]);
@@ -287,7 +287,7 @@ test("a long marker has an overview, and a drag on it pans", onMarker(squares(60
   assert.ok((await page.ask("selvageRoom.view().origin"))[0] < before - 100);
 }));
 
-test("printing gives the printer the daemon's drawing of the marker", () =>
+test("printing uses the daemon's drawing of the marker", () =>
   story(here, async (page) => {
     await page.ask(`void (globalThis.print = () => { const picture = document.querySelector("#print"); globalThis.printed = [picture.naturalWidth, picture.alt]; })`);
     await choose(page, "Print");

@@ -1,4 +1,4 @@
-// A daemon and a browser for the stories of a file, and what the stories look at.
+// A daemon and a browser for the tests of a file, and functions to query the page.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { after, before } from "node:test";
@@ -40,14 +40,14 @@ export async function visit(browser, port, options = {}) {
   return page;
 }
 
-/** The marker that the page shows, as the daemon has it. */
+/** The daemon's copy of the marker that the page shows. */
 export const shown = async (page, port) => {
   const { markerId } = await page.ask("selvageRoom.view()");
   const { marker, revision } = await call(port, "marker.get", { markerId });
   return { markerId, marker, revision };
 };
 
-/** Where a piece is on the screen: its label's place. */
+/** The position of a piece's label on the screen. */
 export const spot = (page, piece) => page.ask(`selvageRoom.spotOf(${JSON.stringify(piece)})`);
 export const revision = (page) => page.ask("selvageRoom.revision()");
 export const atRevision = (page, wanted) => page.until(`selvageRoom.revision() >= ${wanted}`, `revision ${wanted}`);
@@ -60,13 +60,13 @@ export async function choose(page, entry) {
   await page.ask(`${found}.click()`);
 }
 
-/** The daemon's own word that the marker is valid. */
+/** Whether the marker is valid, according to the daemon. */
 export async function assertValid(port, markerId) {
   const { valid, overlaps } = await call(port, "marker.check", { markerId });
   assert.ok(valid, `overlaps: ${JSON.stringify(overlaps)}`);
 }
 
-/** Runs a story against a daemon and a page of its own; the page must not have reported an error. */
+/** Runs a test with a new daemon and page; the page must not report an error. */
 export async function story(here, act, { daemon = {}, page: options = {}, faults = [] } = {}) {
   const served = await startDaemon(daemon);
   try {

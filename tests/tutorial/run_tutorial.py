@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs every block of docs/tutorial.md against a daemon of its own.
+"""Runs every block of docs/tutorial.md with a new daemon.
 
 usage: run_tutorial.py SELVAGED SELVAGE
 

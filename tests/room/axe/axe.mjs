@@ -8,7 +8,7 @@ const here = withBrowser();
 const axe = readFileSync(process.env.AXE, "utf8");
 
 async function judge(page, where) {
-  await new Promise((resolve) => setTimeout(resolve, 350)); // colours come to rest
+  await new Promise((resolve) => setTimeout(resolve, 350)); // until colour transitions have ended
   const found = await page.ask(`axe.run({ resultTypes: ["violations"] }).then(({ violations }) => violations.map(({ id, impact, nodes }) => ({ id, impact, nodes: nodes.slice(0, 3).map(({ html }) => html.slice(0, 140)) })))`);
   const serious = found.filter(({ impact }) => impact === "serious" || impact === "critical");
   for (const one of found) console.log(where, one.impact, one.id);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Fetches axe-core into a folder, and has it judge the page: axe.sh FOLDER
-# Exits with 77, which ctest reports as skipped, when npm's registry does not answer.
+# Fetches axe-core into a folder and checks the page with it: axe.sh FOLDER Exits with 77, which ctest reports as
+# skipped, when npm's registry does not answer.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"

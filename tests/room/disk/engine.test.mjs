@@ -45,7 +45,7 @@ const SAME = ["changes", "dragged", "dragging", "life_of_a_marker", "mistakes", 
 const folder = new URL("../../golden/rpc/", import.meta.url);
 for (const name of readdirSync(folder).filter((file) => file.endsWith(".json"))) {
   const same = SAME.includes(name.replace(".json", ""));
-  test(`golden exchanges: ${name}${same ? "" : ", as far as no small program decides"}`, async () => {
+  test(`golden exchanges: ${name}${same ? "" : ", except results of small linear programs"}`, async () => {
     const call = await begin();
     let count = 0;
     for (const { request, response } of JSON.parse(readFileSync(new URL(name, folder), "utf8"))) {
@@ -60,7 +60,7 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith(".json")))
   });
 }
 
-test("a deadline ends a search, and progress is told while it runs", async () => {
+test("a deadline ends a search, and progress is reported while it runs", async () => {
   const call = await begin();
   const marker = JSON.parse(readFileSync(here("../../../examples/markers/jeans_02g.json"), "utf8"));
   call({ jsonrpc: "2.0", id: 1, method: "marker.open", params: { marker } });

@@ -24,7 +24,7 @@ const drop = (page, marker, name = "dropped.json") =>
     dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
   })()`);
 
-test("a marker is there to play with, and the page says that it runs alone", story(async (page) => {
+test("an example marker is open, and the page says that it runs without a daemon", story(async (page) => {
   assert.equal(await page.text("#marker-name"), "jeans_02g");
   assert.equal(await page.text("#length"), "2,460.4 mm");
   assert.equal(await page.text("#link-state"), "engine in this page");
@@ -55,7 +55,7 @@ test("a drag pushes its neighbours aside", story(async (page) => {
   await atRevision(page, 2);
 }));
 
-test("a search shows its best and stops after its turn; nothing waits for longer", story(async (page) => {
+test("a search shows its best result and stops after its turn; nothing waits for longer", story(async (page) => {
   await page.press("Fine");
   await page.until(offered);
   await page.press("Stop");
@@ -76,7 +76,7 @@ test("rules of the length, free cloth, the menu and the tray work, too", story(a
   await page.until(`document.querySelector("#marker-name").textContent === "simon_06g"`);
 }));
 
-test("pieces off the cloth are nested; a cut file is opened; what is no file of the trade is refused without a restart", story(async (page) => {
+test("pieces off the cloth are nested; a cut file is opened; other files are refused without a restart", story(async (page) => {
   const off = squares(4);
   const { pieces, ...rest } = off;
   await drop(page, { ...rest, name: "off", pieces: [], unplaced: pieces.map(({ at: _, ...piece }) => piece) });
@@ -96,7 +96,7 @@ test("pieces off the cloth are nested; a cut file is opened; what is no file of 
   assert.equal((await page.ask("selvageRoom.view()")).markerId, id);
 }));
 
-test("files are refused in words, and saved", story(async (page) => {
+test("invalid files are refused with a message; markers are saved", story(async (page) => {
   await drop(page, { format: "selvage-marker" });
   await page.until(`document.querySelector("#toast").textContent.length > 10`);
   const folder = mkdtempSync(join(tmpdir(), "selvage-saved-"));
