@@ -13,7 +13,7 @@ namespace {
 constexpr double kCutUnits = 10;  // G71
 
 std::string number(double millimetres) {
-  // The form has no negative coordinates.
+  // The format has no negative coordinates.
   return std::to_string(std::max(0LL, std::llround(millimetres * kCutUnits)));
 }
 
@@ -21,7 +21,7 @@ std::string point(Spot spot) {
   return "X" + number(spot.x) + "Y" + number(spot.y);
 }
 
-// Text that contains no end of a block.
+// The text without characters that end a block.
 std::string label_text(const std::string& text) {
   std::string label = in_ascii(text);
   std::replace(label.begin(), label.end(), '*', '.');
@@ -80,7 +80,7 @@ class Cutter {
     text_ += "M15*";
   }
 
-  // The middle of the outline's vertices: inside, or at least near.
+  // The mean of the outline's vertices, which lies inside the outline or near it.
   static Spot label_spot(const SheetPiece& piece) {
     Spot sum;
     for (const Spot& point : piece.outline) sum = {sum.x + point.x, sum.y + point.y};

@@ -1,9 +1,9 @@
 // A marker as an AAMA/ASTM D6673 DXF nest: a block for each shape, and an insert for each piece.
 //
-// R12 with an empty HEADER and no TABLES, in ASCII; the layers are those of D6673.  A flipped piece has a mirrored
-// block of its own: readers disagree on negative scales.  Coordinates are the exact decimals of the lattice, in
-// millimetres, or in inches for a marker in inches.  What a nest does not have a word for (the width of the cloth, the
-// ids of pieces, allowed rotations) stands in texts "Marker ...:" and in attributes of the inserts, from which
+// R12 with an empty HEADER and no TABLES, in ASCII; the layers are those of D6673.  A flipped piece has a separate,
+// mirrored block, because readers disagree on negative scales.  Coordinates are the exact decimals of the lattice, in
+// millimetres, or in inches for a marker in inches.  What a nest cannot express (the width of the cloth, the ids of
+// pieces, allowed rotations) is written as texts "Marker ...:" and as attributes of the inserts, from which
 // protocol/trade/aama/nest.h reads the same marker back.
 #pragma once
 

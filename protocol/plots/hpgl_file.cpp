@@ -27,7 +27,7 @@ std::string stroke(const Stroke& drawn) {
   return out + ";\n";
 }
 
-// Width and height of letters are centimetres, their direction is given by its cosine and sine.
+// Width and height of letters are in centimetres; their direction is given by its cosine and sine.
 std::string label(const PlotLabel& drawn) {
   const double angle = drawn.angle * std::numbers::pi / 180;
   std::string out = "PU" + coordinates(drawn.at) + ";SI" + thousandths(drawn.height * 0.65 / 10) + "," +

@@ -1,7 +1,7 @@
 // A marker as a plot: HP-GL/2 of the subset ASTM D6959.
 //
-// Units of 0.025 mm, absolute and positive, strokes only, in one block.  Drawn are the frame of the marker, outlines,
-// notches, drill holes, inner lines, and each piece's label; above the frame stand length, width and utilisation.
+// Units of 0.025 mm, absolute and positive, strokes only, in one block.  It draws the frame of the marker, outlines,
+// notches, drill holes, inner lines and each piece's label; length, width and utilisation are above the frame.
 #pragma once
 
 #include <string>

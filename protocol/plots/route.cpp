@@ -10,7 +10,7 @@ namespace {
 using document::Spot;
 using Outlines = std::vector<std::vector<Spot>>;
 
-constexpr std::size_t kMostForTwoOpt = 2000;  // stops: a sweep of 2-opt looks at all pairs of them
+constexpr std::size_t kMostForTwoOpt = 2000;  // stops; a sweep of 2-opt tries all pairs of them
 constexpr int kMostSweeps = 20;
 constexpr int kRepeats = 3;  // of 2-opt and the choice of vertices
 
@@ -52,7 +52,7 @@ class Planner {
   }
 
   void nearest_neighbour() {
-    // By their left ends, so that only pieces that can be nearer than the best one are looked at.
+    // Sorted by their left ends, so that only pieces that may be nearer than the best one are examined.
     struct Waiting {
       std::size_t piece;
       double left;

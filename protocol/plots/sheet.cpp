@@ -13,7 +13,7 @@ std::string text_in(const Json& attributes, const char* key) {
   return found && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
-// "FRONT/S R1", and the bundle when the id does not tell it.
+// "FRONT/S R1", and the bundle if the id does not contain it.
 std::string label_of(const Piece& piece, const Json& attributes) {
   const std::string bundle = text_in(attributes, "bundle");
   if (bundle.empty() || piece.id.find(bundle) != std::string::npos) return piece.id;

@@ -1,4 +1,4 @@
-// What cutters and plotters are given: every piece where it lies, with all that is drawn on it.
+// The input of cutters and plotters: every placed piece, with everything that is drawn on it.
 //
 // Units: millimetres; the strip spans 0 to `width` along y and begins at x = 0.  Floating point: the exact outlines are
 // those of the marker.
@@ -28,12 +28,12 @@ struct Sheet {
   std::vector<SheetPiece> pieces;
 };
 
-// A marker in an unknown unit is taken for one in millimetres.
+// A marker in an unknown unit is treated as one in millimetres.
 [[nodiscard]] Sheet sheet_of(const MarkerFile& file);
 // The length of the marker's unit in millimetres; 1 when it is not known.
 [[nodiscard]] double millimetres_in(const std::string& unit);
 
-// Text for files that hold nothing but ASCII: what is not becomes `otherwise`, a character each.
+// Text for ASCII files: every other character is replaced by `otherwise`.
 [[nodiscard]] std::string in_ascii(std::string_view text, char otherwise = '?');
 // The shortest decimal of a value rounded to a thousandth.
 [[nodiscard]] std::string thousandths(double value);

@@ -1,5 +1,5 @@
-// A sheet as strokes and labels: what every plot draws of it, whatever its language.
-// Units: millimetres.
+// A sheet as strokes and labels, which plots draw in any language.  Units:
+// millimetres.
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ struct Plot {
   std::vector<PlotLabel> labels;
 };
 
-// Labels of pieces stand inside their outlines, as large as they fit up to 10 mm, and are left out below 2 mm.
+// Labels of pieces are placed inside their outlines, as large as possible up to 10 mm, and left out below 2 mm.
 [[nodiscard]] Plot plot_of(const Sheet& sheet);
 // "length 6,491.6 mm, width 1,638.3 mm, utilisation 87.20 %".
 [[nodiscard]] std::string figures_of(const Sheet& sheet);

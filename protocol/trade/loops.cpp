@@ -11,7 +11,7 @@ namespace {
 
 using document::Spot;
 
-// The ends of open runs, found by where they lie: on a grid of squares as wide as the reach.
+// The ends of open runs, indexed by their position in a grid of squares as wide as the reach.
 class Ends {
  public:
   explicit Ends(double reach) : reach_{reach}, square_{std::max(reach, 1e-9)} {}
@@ -50,7 +50,7 @@ class Ends {
   std::multimap<std::pair<double, double>, End> squares_;
 };
 
-// The same run from its other end.
+// The same run in the opposite direction.
 void reverse(std::vector<Spot>& points, std::vector<Edge>& edges) {
   std::reverse(points.begin(), points.end());
   if (edges.empty()) return;

@@ -10,7 +10,7 @@
 
 namespace selvage::protocol::trade {
 
-// What stands between a point of a run and the next: a straight edge, or an arc that was flattened to a chord.
+// The connection from a point of a run to the next: a straight edge, or an arc that was flattened to a chord.
 struct Edge {
   std::optional<document::Spot>
       apex;       // where the tangents at the arc's ends meet: the arc lies between it and the chord
@@ -32,7 +32,7 @@ struct Loop {
 };
 struct Loops {
   std::vector<Loop> closed;  // in the order of their first runs
-  std::vector<Run> open;     // what could not be closed, joined as far as it goes
+  std::vector<Run> open;     // runs that could not be closed, joined as far as possible
 };
 // Open runs are joined, either way round, where their ends are at most `reach` apart; a run whose own ends are so near
 // is closed.  Runs of fewer than two points are left out.
@@ -51,10 +51,10 @@ struct Loops {
 // Whether the point lies inside the closed outline; on its boundary, either.
 [[nodiscard]] bool contains(const std::vector<document::Spot>& outline, document::Spot point);
 
-// A loop that lies in no other.
+// An outermost loop.
 struct NestedLoop {
   Loop loop;
-  std::vector<Loop> inner;   // all that lie in it, however deep
+  std::vector<Loop> inner;   // all loops inside it, at any depth
   document::Spot low, high;  // of the loop's box
 };
 // The largest first; loops without area are left out.

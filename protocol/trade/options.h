@@ -1,4 +1,4 @@
-// How a file of the trade is to be read: what such files often do not say.
+// Options for reading trade files, for information that such files often do not contain.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ inline constexpr std::string_view kUnitWords[] = {"mm", "cm", "m", "in", "ft", "
   return kFactors[static_cast<int>(unit)];
 }
 
-// What becomes of a half piece that is drawn up to its mirror line: it is unfolded, kept as drawn, or laid on the fold
+// What happens to a half piece that is drawn up to its mirror line: it is unfolded, kept as drawn, or laid on the fold
 // of cloth in two layers, where every other piece is cut as a pair.
 enum class FoldRule { kUnfold, kKeep, kLay };
 inline constexpr std::string_view kFoldWords[] = {"unfold", "keep", "lay"};  // by FoldRule
@@ -25,18 +25,18 @@ enum class Nap { kOneWay, kEitherWay };
 inline constexpr std::string_view kNapWords[] = {"one_way", "either_way"};  // by Nap
 
 struct ReadingOptions {
-  std::optional<LengthUnit> unit;  // of the file's coordinates; none: what the file says
+  std::optional<LengthUnit> unit;  // of the file's coordinates; if absent, the unit in the file
   double tolerance{0.05};          // millimetres: how far a polygon may lie from the curve that it replaces
   FoldRule fold{FoldRule::kUnfold};
   Nap nap{Nap::kOneWay};
   std::optional<double> width;       // of the cloth, millimetres; none: what the file says, or kUsualWidth
-  std::vector<std::string> sizes;    // of a graded style; empty: those that the file has
+  std::vector<std::string> sizes;    // of a graded style; empty: all sizes in the file
   std::optional<std::string> rules;  // the text of the style's .rul file
   std::optional<std::string> order;  // the text of an order: the pieces of its bundles are cut
   bool one_of_each_size{};           // of the order's sizes, one bundle each, whatever its ratio is
   bool plain{};                      // a DXF without pattern pieces: every closed outline is a piece
 };
 
-inline constexpr double kUsualWidth = 1500;  // millimetres, of cloth whose width is not given
+inline constexpr double kUsualWidth = 1500;  // millimetres; used if no width is given
 
 }  // namespace selvage::protocol::trade

@@ -64,7 +64,7 @@ void Path::flatten(const Cubic& cubic, int depth) {
   const auto [a, b, c, d] = cubic;
   const double first = side_distance(a, d, b), second = side_distance(a, d, c);
   const double most = std::max(std::abs(first), std::abs(second));
-  // A chord that runs back over itself is straight only when the control points lie between its ends.
+  // A curve on its chord's line counts as straight only if the control points lie between the chord's ends.
   const bool within = distance(a, b) + distance(c, d) <= 1.5 * distance(a, d) + kStraight;
   if (depth == kDeepest || (most <= kStraight && within)) return add(d, {});
   if (most <= tolerance_ && within && first * second >= 0) {

@@ -1,4 +1,4 @@
-// A path of lines, arcs and Bezier curves, flattened to a run of points as it is drawn.
+// A path of lines, arcs and Bezier curves, which is flattened to a run of points while it is drawn.
 //
 // Every chord lies within the tolerance of its curve, and so does the apex that is kept with it (loops.h), from which
 // an outline is made that contains the true one.  Units: those of the drawing.

@@ -24,7 +24,7 @@ struct Reach {
   }
 };
 
-// Counter-clockwise from its smallest vertex, relative to `low`: the same for every copy of an outline.
+// The outline counter-clockwise from its smallest vertex, relative to `low`, which is the same for every copy.
 std::vector<Spot> normal_form(std::vector<Spot> outline, Spot low) {
   for (Spot& point : outline) point = rounded({point.x - low.x, point.y - low.y});
   if (doubled_area(outline) < 0) std::reverse(outline.begin(), outline.end());
@@ -129,7 +129,7 @@ class FileMaker {
     return written_.shapes.back().shape.id;
   }
 
-  // A pointer into the native form as the place in the file.
+  // Converts a pointer into the native format to the place in the file.
   [[nodiscard]] std::string field_in_file(const std::string& field) const {
     constexpr std::string_view kShapes = "/shapes/", kPieces = "/pieces/";
     const bool shape = field.starts_with(kShapes);

@@ -1,4 +1,4 @@
-// A marker whose pieces are known by where they lie, such as a cut file or a drawing: to shapes and placements.
+// Converts pieces that are known by their placed outlines, as in a cut file or a drawing, to shapes and placements.
 // Units: millimetres.
 #pragma once
 
@@ -25,9 +25,9 @@ struct PlacedMarker {
   std::vector<Note> notes;
 };
 
-// Pieces of the same outline and annotations share a shape.  The cloth is as wide as asked for, else as the pieces
-// reach, rounded up to a millimetre, which is noted; pieces that reach below 0 move all pieces up or to the right.
-// Errors: kEmptyMarker, and those of on_lattice.
+// Pieces of the same outline and annotations share a shape.  The cloth has the requested width; otherwise it is as wide
+// as the pieces need, rounded up to a millimetre, which is noted.  If pieces extend below 0, all pieces are moved up or
+// to the right.  Errors: kEmptyMarker, and those of on_lattice.
 [[nodiscard]] Result<MarkerFile> file_of(PlacedMarker marker, const ReadingOptions& options);
 
 }  // namespace selvage::protocol::trade

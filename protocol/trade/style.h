@@ -1,6 +1,6 @@
-// A style as a pattern file holds it: the pieces of a garment, in one or several sizes, each drawn once.
+// The content of a pattern file, a style: the pieces of a garment, in one or several sizes, each drawn once.
 //
-// Units: millimetres.  Every outline and its annotations are turned so that the grain lies along +x, which is the
+// Units: millimetres.  Every outline and its annotations are rotated so that the grain lies along +x, which is the
 // length of the strip.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace selvage::protocol::trade {
 
 using document::Spot;
 
-// How often a garment needs a piece: as drawn, and mirrored about the grain.
+// How many copies of a piece a garment needs: as drawn, and mirrored about the grain.
 struct Quantity {
   int right{1}, left{0};
   friend bool operator==(const Quantity&, const Quantity&) = default;
@@ -31,7 +31,7 @@ struct PatternPiece {
   document::Annotations annotations;
   bool half{};                       // its lower side is its mirror line, which lies on the fold of the cloth
   std::vector<double> rotations;     // degrees; empty: what the nap of the cloth allows
-  Json attributes = Json::object();  // what else the file says of the piece, by its own words
+  Json attributes = Json::object();  // further properties of the piece in the file, by their names there
   std::size_t line{};                // of the file, where the piece begins; 1 is the first
 };
 
@@ -44,11 +44,11 @@ struct Style {
 };
 
 // For cloth in two layers, folded or tubular: a half piece on the fold is cut as a whole one, and any other piece as a
-// pair, one the mirror image of the other.  Of a quantity that does not say the sides, two are taken for a pair.  What
-// is cut beyond the quantity is noted.
+// pair, one the mirror image of the other.  If a quantity does not state the sides, two copies form a pair.  Pieces cut
+// beyond the quantity are noted.
 void cut_from_two_layers(Style& style);
 
-// To the nearest millionth of a millimetre: fine enough for any file, and exact on the lattice of a marker.
+// Rounds to a millionth of a millimetre, which is fine enough for any file and exact on the lattice of a marker.
 [[nodiscard]] double rounded(double millimetres);
 [[nodiscard]] Spot rounded(Spot spot);
 [[nodiscard]] document::Annotations rounded(document::Annotations annotations);

@@ -57,7 +57,7 @@ Json shape_attributes(const PatternPiece& piece, const document::Frame& to_origi
   return attributes;
 }
 
-// Columns from the left, each filled upwards.
+// Places pieces in columns from the left, each filled upwards.
 class Columns {
  public:
   explicit Columns(double width) : width_{width} {}
@@ -152,7 +152,7 @@ class MarkerMaker {
         piece.piece.id = copy.id + " #" + std::to_string(number);
       piece.piece.orientation = {copy.mirrored, shape.shape.rotations.front(), {}};
       piece.shape = shape.shape.id;
-      // Where the turned shape's lower left corner is, relative to its own origin.
+      // The lower left corner of the rotated shape, relative to its own origin.
       const document::Frame turn{copy.mirrored, piece.piece.orientation.rotation.degrees, {}};
       std::vector<Spot> turned;
       for (const formats::Decimal& point : shape.outline) turned.push_back(turn.apply({point.x, point.y}));
@@ -167,7 +167,7 @@ class MarkerMaker {
     }
   }
 
-  // A pointer into the native form as the line of the pattern piece that it concerns.
+  // Converts a pointer into the native format to the line of the pattern piece that it concerns.
   [[nodiscard]] std::string field_in_file(const std::string& field) const {
     const auto number = [&](std::string_view prefix) -> std::size_t {
       std::size_t value{};

@@ -1,4 +1,4 @@
-// From a style to a marker: which pieces are cut, and where they lie at first.
+// Converts a style to a marker: which pieces are cut, and where they lie initially.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct PieceCopy {
   Json attributes = Json::object();  // such as its bundle
 };
 
-// Each piece of the style as often as one garment needs it; no more than one copy beyond what a marker may have.
+// The copies of each piece that one garment needs; at most one copy more than a marker may have.
 [[nodiscard]] std::vector<PieceCopy> one_of_each(const Style& style);
 
 // A marker on cloth of the width asked for, or of kUsualWidth.  A pattern file places nothing: the copies lie in

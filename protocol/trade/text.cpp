@@ -80,7 +80,7 @@ std::string converted(std::string_view bytes, const char* encoding) {
     const std::size_t done = iconv(converter, &from, &left, &to, &room);
     out.append(buffer.data(), to);
     if (done != static_cast<std::size_t>(-1) || room < 8) continue;
-    out += kReplacement;  // a byte that begins no character
+    out += kReplacement;  // a byte that does not begin a character
     ++from;
     --left;
   }

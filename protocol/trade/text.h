@@ -1,4 +1,4 @@
-// Text files of the trade: their lines, numbers and encodings.
+// The lines, numbers and encodings of text files of the trade.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class Lines {
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 [[nodiscard]] std::string in_capitals(std::string_view text);  // of the Latin letters a to z
 
-// The value as a number; none when it is not a finite one.
+// The value as a number; none if it is not a finite number.
 [[nodiscard]] std::optional<double> number_in(std::string_view text);
 [[nodiscard]] std::optional<int> whole_number_in(std::string_view text);
 
@@ -34,9 +34,9 @@ class Lines {
 // The encodings in which names were found in pattern files.
 enum class Encoding { kUtf8, kGbk, kBig5, kLatin1 };
 [[nodiscard]] std::string_view name_of(Encoding encoding);
-// The encoding of bytes that have no other sign: UTF-8 when they are valid as such.  Otherwise GBK when every pair of
-// bytes is a character of GB 2312, Big5 when every pair is one of Big5's frequent characters, GBK when it is valid, and
-// Latin-1 when nothing else is.
+// The encoding of bytes without any other indication:  UTF-8 when they are valid as such.  Otherwise GBK when every
+// pair of bytes is a character of GB 2312, Big5 when every pair is one of Big5's frequent characters, GBK when it is
+// valid, and Latin-1 otherwise.
 [[nodiscard]] Encoding encoding_of(std::string_view bytes);
 // As UTF-8; what the encoding does not define becomes U+FFFD.  \U+XXXX, by which DXF writes characters, is resolved.
 [[nodiscard]] std::string decoded(std::string_view bytes, Encoding encoding);

@@ -1,8 +1,8 @@
-// A PDF file of pages with lines, filled outlines and Helvetica: as much of PDF 1.6 as plots need.
+// A PDF file of pages with lines, filled outlines and Helvetica: the part of PDF 1.6 that plots need.
 //
 // The text is ASCII, without compression.  Pages may be longer than the 14,400 units that PDF allows a page: then a
-// unit is a whole multiple of 1/72 inch (UserUnit), which viewers and printers since PDF 1.6 honour. A writer of our
-// own: libharu refuses such pages and cairo writes them without UserUnit, so that viewers may not show them.
+// unit is a whole multiple of 1/72 inch (UserUnit), which viewers and printers since PDF 1.6 honour.  This is our own
+// writer, because libharu refuses such pages and cairo writes them without UserUnit, so that viewers may not show them.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ class PdfPage {
   void fill(double red, double green, double blue);    // of areas and text
   void line_width(double width);
   void dashed(bool on);
-  void move(document::Spot by, double scale);  // everything that follows lies there, so much larger
+  void move(document::Spot by, double scale);  // moves and scales everything that follows
   void clip(document::Spot low, document::Spot high);
   void path(const std::vector<document::Spot>& points, bool closed, bool filled);
   void text(document::Spot at, double height, double degrees, std::string_view text);

@@ -24,9 +24,9 @@ bool meets(const std::vector<Spot>& points, const Window& window) {
   return low.x <= window.high.x && high.x >= window.low.x && low.y <= window.high.y && high.y >= window.low.y;
 }
 
-// What of the plot may be seen in the window.
+// The part of the plot that may be visible in the window.
 void draw(PdfPage& page, const Plot& plot, const Window& window) {
-  constexpr double kReach = 500;  // no label is longer, millimetres
+  constexpr double kReach = 500;  // millimetres; no label is longer
   page.colour(0, 0, 0);
   page.fill(0, 0, 0);
   StrokeStyle style = StrokeStyle::kInner;

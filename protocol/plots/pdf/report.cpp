@@ -19,7 +19,7 @@ constexpr double kAcross = kLongSide - 2 * kPageMargin;
 constexpr double kLetters = 2.3, kLine = 5;  // height of the lists' letters, and from line to line
 constexpr double kPathColumn = kPageMargin + 0.64 * kAcross;
 constexpr std::size_t kMostLetters = 40;  // of a name in a list
-constexpr double kLeastWorth = 0.0005;    // of a contact: less is listed as 0
+constexpr double kLeastWorth = 0.0005;    // of a contact's price; smaller ones are listed as 0
 
 bool is_number(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -39,7 +39,7 @@ std::string name_of(const MarkerFile& file, const Piece& piece) {
   return is_number(number) ? piece.id.substr(0, blank) : piece.id;
 }
 
-// How often each piece occurs, by name.
+// The number of copies of each piece, by name.
 std::map<std::string, int> counts_of(const MarkerFile& file) {
   std::map<std::string, int> counts;
   for (const Piece& piece : file.marker.pieces) {
@@ -48,7 +48,7 @@ std::map<std::string, int> counts_of(const MarkerFile& file) {
   return counts;
 }
 
-// "1 x S, 2 x M": the bundles of each size, of the pieces that an order has made; empty when none has.
+// "1 x S, 2 x M": the bundles of each size, if the pieces come from an order; otherwise empty.
 std::string ratio_of(const MarkerFile& file) {
   std::map<std::string, std::set<std::string>> bundles;  // by size
   for (const Json& attributes : file.attributes.pieces) {
@@ -70,7 +70,7 @@ struct Link {
 
 struct Chain {
   std::vector<Link> links;  // from left to right
-  std::string why_not;      // said in place of links
+  std::string why_not;      // shown instead of links
 };
 
 class ChainReader {
@@ -119,7 +119,7 @@ class ChainReader {
   double unit_;  // millimetres
 };
 
-// The strip, its pieces and the critical path, with the strip's corner at `corner`.
+// Draws the strip, its pieces and the critical path, with the strip's corner at `corner`.
 void draw_picture(PdfPage& page, const Sheet& sheet, const Chain& chain, Spot corner, double scale) {
   page.move(corner, scale);
   page.colour(0.25, 0.25, 0.25);
@@ -142,7 +142,7 @@ void draw_picture(PdfPage& page, const Sheet& sheet, const Chain& chain, Spot co
   page.move({-corner.x, -corner.y}, 1);
 }
 
-// Lines of text downwards from `top`, in columns between two x; what does not fit is counted.
+// Draws lines of text downwards from `top`, in columns between two x coordinates; lines that do not fit are counted.
 void write_list(PdfPage& page, const std::vector<std::string>& lines, double top, double from, double to, int columns) {
   const int rows = std::max(1, static_cast<int>((top - kPageMargin) / kLine) + 1);
   const auto room = static_cast<std::size_t>(rows * columns);

@@ -1,5 +1,5 @@
-// A marker on one A4 page, lying, for people who plan and check markers: the picture, the marker's figures, how often
-// each piece occurs, and the critical path, drawn and listed.
+// A marker on one A4 page in landscape format, for people who plan and check markers: the picture, the figures, the
+// number of copies of each piece, and the critical path, drawn and listed.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace selvage::protocol::plots::pdf {
 
-// The critical path of a larger marker is left out, and the page says so: it would take longer than a drawing may.
+// For a larger marker the critical path would take too long, so it is left out, and the page says so.
 inline constexpr std::size_t kMostPiecesWithPath = 1000;
 
 // A marker that is not valid has no critical path; the page says so.

@@ -151,7 +151,7 @@ void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& 
     return;
   }
   const document::Frame mirror = document::reflection(line.first, line.second);
-  // From the end of the chain around to its beginning, and the reflection of that on the way back.
+  // Runs from the end of the chain around to its beginning, and returns along the reflection of that.
   const std::size_t count = outline.size(), half = count - chain.edges + 1;
   std::vector<Spot> whole;
   for (std::size_t k = 0; k < half; ++k) whole.push_back(outline[(chain.first + chain.edges + k) % count]);

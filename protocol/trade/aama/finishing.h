@@ -1,5 +1,5 @@
-// From a block as it was drawn to a piece as it is cut: boundary, unfolding, grain.
-// Units: millimetres.
+// Converts a block as it was drawn to a piece as it is cut: boundary, unfolding, grain.  Units:
+// millimetres.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace selvage::protocol::trade::aama {
 // Every coordinate times `factor`.
 void scale(PatternBlock& block, double factor);
 
-// The largest closed loop of layer 1, without repeated vertices.  What is odd about it is noted.
-// Errors: kTooFewVertices when the largest is open, its ends more than a millimetre apart.
+// The largest closed loop of layer 1, without repeated vertices.  Oddities are noted.  Errors: kTooFewVertices when the
+// largest is open, its ends more than a millimetre apart.
 [[nodiscard]] Result<std::vector<Spot>> boundary_of(const PatternBlock& block, std::vector<Note>& notes);
 
 // The whole piece, when the outline has edges on a mirror line: outline and annotations reflected about it.
@@ -25,12 +25,12 @@ void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& 
 // edges on a mirror line along the grain, beyond which nothing lies.  A mirror line across the grain is noted.
 [[nodiscard]] bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline,
                                    std::vector<Note>& notes);
-// Turns the half piece over where its mirror line is its upper side, so that it is the lower one, exactly straight.
+// Flips the half piece if its mirror line is its upper side, so that it becomes the lower side, exactly straight.
 // `turn`: from the block to the piece.  REQUIRES: may_lie_on_fold of the block.
 void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece);
 
 // By how many degrees the piece must be turned for its grain to run along +x, from the line's start to its end; more
-// than -180, at most 180.  A grain that is not there is noted, and so is a turn.
+// than -180, at most 180.  A missing grain line is noted, and so is a rotation.
 [[nodiscard]] double turn_of_grain(const PatternBlock& block, std::vector<Note>& notes);
 
 }  // namespace selvage::protocol::trade::aama

@@ -42,7 +42,7 @@ class Movements {
     std::stable_sort(points_.begin(), points_.end(), [](const Moved& a, const Moved& b) { return a.at.x < b.at.x; });
   }
 
-  // Of the graded point that lies here.
+  // The movement of the graded point at this position.
   [[nodiscard]] std::optional<Spot> at(Spot spot) const {
     auto first = std::lower_bound(points_.begin(), points_.end(), spot.x - kSamePoint,
                                   [](const Moved& moved, double x) { return moved.at.x < x; });
@@ -90,7 +90,7 @@ std::optional<std::vector<Spot>> along(const std::vector<Spot>& points, bool clo
   return by;
 }
 
-// Moves spots that lie on no line.
+// Moves points that lie on no line.
 class Mover {
  public:
   Mover(const std::vector<Spot>& outline, const std::vector<Spot>& by, const Movements& movements)
@@ -135,7 +135,7 @@ void grade(PatternBlock& block, std::vector<Spot>& outline, const RuleTable& tab
   }
   for (auto* lines : {&block.mirror_lines, &block.grains}) {
     for (auto& [from, to] : *lines) {
-      // The direction of a grain stays: only its place moves.
+      // The direction of a grain line does not change, only its position.
       const Spot before = from;
       mover.move(from);
       if (lines == &block.grains)

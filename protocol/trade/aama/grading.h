@@ -1,9 +1,9 @@
-// The sizes of a style that is drawn in its sample size only, made by its rule table.
+// Makes the sizes of a style that is drawn only in its sample size, with its rule table.
 //
 // A point "# n" moves by rule n, along the grade reference (layer 5; the file's x axis when there is none).  The
-// standard says nothing of what lies between two graded points: here a vertex moves by the mean of its two graded
-// neighbours' movements, weighted by the arc length to them.  Annotations move with their own rules where they have
-// them, and else with the nearest vertex of the outline. Units: millimetres.
+// standard does not define the movement between two graded points: here a vertex moves by the mean of its two graded
+// neighbours' movements, weighted by the arc length to them.  Annotations move by their own rules if they have any,
+// otherwise with the nearest vertex of the outline.  Units: millimetres.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// A nest as Selvage writes it to DXF (protocol/plots/dxf_file.h): read back as the same marker, to the lattice unit.
+// Reads a nest that Selvage wrote to DXF (protocol/plots/dxf_file.h) back as the same marker, to the lattice unit.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@
 
 namespace selvage::protocol::trade::aama {
 
-// Whether the text is such a nest: it says how wide its marker is.
+// Whether the text is such a nest, which states the width of its marker.
 [[nodiscard]] bool is_nest(std::string_view text);
 
 // Errors: those of read_tags, read_drawing and on_lattice; kMissingField and kUnknownShape for a nest that was damaged.

@@ -58,7 +58,7 @@ class BlockReader {
   }
 
  private:
-  // Whether something was made of the entity, or it is known to add nothing.
+  // Whether the entity was used, or is known to be irrelevant.
   bool read_drawn(const Entity& entity, int layer) {
     constexpr int kTurnPoints = 2, kCurvePoints = 3, kDrill = 13, kNotes = 15, kFirstCopy = 84, kLastCopy = 87;
     const bool point = entity.type == "POINT";

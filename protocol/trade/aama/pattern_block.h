@@ -1,8 +1,8 @@
 // One block of a pattern file: a piece as its writer drew it, sorted by the layers of ASTM D6673.
 //
-// Units: the file's, in the file's own orientation.  What the block does not say stays empty: AccuMark writes quantity,
-// material and "NM" only into the block of the sample size, and the style gives them to the other sizes
-// (pattern_file.h).
+// Units: the file's, in the file's own orientation.  Fields that the block does not contain stay empty:  AccuMark
+// writes quantity, material and "NM" only into the block of the sample size, and the style gives them to the other
+// sizes (pattern_file.h).
 #pragma once
 
 #include <map>
@@ -33,7 +33,7 @@ struct PatternBlock {
   std::vector<Run> boundary;  // layer 1
   document::Annotations annotations;
   std::vector<bool> mirrored;          // of each of the annotations' lines: drawn on both halves of a folded piece
-  std::vector<Spot> unmirrored_spots;  // where "NM" stands
+  std::vector<Spot> unmirrored_spots;  // the positions of "NM"
   std::vector<std::pair<Spot, Spot>> grains, mirror_lines, grade_references;  // layers 7, 6, 5
   std::vector<GradedPoint> graded_points;
   std::size_t line{};
@@ -41,7 +41,7 @@ struct PatternBlock {
   [[nodiscard]] const std::string* text(const std::string& key) const;
 };
 
-// What a whole file's blocks have in common, and where their oddities are collected.
+// What the blocks of a file have in common, and the collection of their oddities.
 struct BlockReading {
   Encoding encoding{};
   double tolerance{};                              // for curves, in the file's unit
@@ -51,7 +51,7 @@ struct BlockReading {
 
 [[nodiscard]] PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading);
 
-// "Piece Name: FRONT" as its key in capitals and its value; none when the text is no such pair of a known key.
+// "Piece Name:  FRONT" as its key in capitals and its value; none if the text is not such a pair with a known key.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text);
 
 }  // namespace selvage::protocol::trade::aama

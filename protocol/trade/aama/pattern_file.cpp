@@ -97,7 +97,7 @@ class StyleReader {
             ""};
   }
 
-  // Depths of less than a millimetre in a file of millimetres are centimetres: so Browzwear writes them.
+  // Depths of less than a millimetre in a file in millimetres are centimetres, because Browzwear writes them so.
   void check_notches() {
     double deepest = 0;
     for (const PatternBlock& block : blocks_) {
@@ -150,8 +150,8 @@ class StyleReader {
     return style_.sample_size;
   }
 
-  // In a nest the blocks of one piece share what only one of them says, most often that of the sample size: quantity,
-  // material, and which internal lines are not mirrored.
+  // In a nest the blocks of one piece share fields that only one of them contains, usually that of the sample size:
+  // quantity, material, and which internal lines are not mirrored.
   void share_texts() {
     std::map<std::string, std::vector<std::size_t>> by_name;
     for (std::size_t k = 0; k < blocks_.size(); ++k) {
@@ -238,7 +238,7 @@ class StyleReader {
     std::size_t size;
     double unit;
     bool sample;  // it is the size as drawn
-    bool noted;   // its oddities are reported: those of the other sizes are the same
+    bool noted;   // only its oddities are reported, because those of the other sizes are the same
   };
 
   // The piece of a block in one size.

@@ -1,9 +1,9 @@
-// Pattern files: AAMA/ASTM D6673 DXF, as six writers' files were found to be.
+// Pattern files:  AAMA/ASTM D6673 DXF, as written by six programs whose files were examined.
 //
-// The unit is the caller's, else that of the text "Units:", else $INSUNITS, else the file is refused.  A piece's
-// outline is the largest closed loop of layer 1, a half piece is unfolded about its mirror line, and every piece is
-// turned so that its grain lies along x.  A graded nest has a block for every size; otherwise the rule table makes the
-// sizes. What is odd about a file is reported in the style's notes, by line.
+// The unit is the caller's, otherwise that of the text "Units:", otherwise $INSUNITS; without any the file is refused.
+// A piece's outline is the largest closed loop of layer 1, a half piece is unfolded about its mirror line, and every
+// piece is turned so that its grain lies along x.  A graded nest has a block for every size; otherwise the rule table
+// makes the sizes.  Oddities of a file are reported in the style's notes, by line.
 #pragma once
 
 #include <string_view>

@@ -51,7 +51,8 @@ PatternPiece described(const PatternBlock& block, const std::string& name, std::
   } else if (!quantity) {
     notes.push_back(note_at(block.line, "the quantity " + in_quotes(*said) + " is not understood: 1"));
   } else if (quantity->right > 1 && said->find(',') == std::string::npos) {
-    notes.push_back(note_at(block.line, "quantity " + *said + ": that some of them are mirrored is not said; none is"));
+    notes.push_back(note_at(
+        block.line, "quantity " + *said + ": the file does not say whether some of them are mirrored; none is"));
   }
   piece.quantity = quantity.value_or(Quantity{});
   return piece;

@@ -1,4 +1,4 @@
-// What the texts of a block say about its piece: name, quantity, material and the like.
+// The properties of a piece in the texts of its block: name, quantity, material and so on.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace selvage::protocol::trade::aama {
 // The value of a key, or an empty text.
 [[nodiscard]] const std::string& text_or_empty(const Texts& texts, const std::string& key);
 
-// The text as JSON writes it, shortened when it is long; for messages.
+// The text as JSON, shortened if it is long; for messages.
 [[nodiscard]] std::string in_quotes(const std::string& text);
 
 // The piece without its size, outline and annotations.  A quantity that is missing or not understood is 1, with a note.

@@ -40,7 +40,7 @@ void scale(CutPiece& piece, double unit) {
   for (Spot& drill : piece.drills) scale_spot(drill);
 }
 
-// The part of a label "S:XL-A M:STYLE N:FRONT" that the letter begins; empty when there is none.
+// The part of a label "S:XL-A M:STYLE N:FRONT" that begins with the letter; empty if there is none.
 std::string part_of(const std::string& label, char letter) {
   const std::string key = std::string{letter} + ":";
   const std::size_t at = label.starts_with(key) ? 0 : label.find(" " + key);
@@ -63,7 +63,7 @@ void describe(PlacedPattern& piece, const std::string& label) {
   if (!label.empty()) piece.attributes["label"] = label;
 }
 
-// The loops of one piece, its largest first.  A knife may begin and end an outline a little beside the same place.
+// The loops of one piece, the largest first.  The start and the end of a knife's outline may differ slightly.
 std::vector<Loop> loops_of(CutPiece& piece, std::vector<Run>& open, std::vector<Note>& notes,
                            const std::string& field) {
   Loops loops = joined(std::move(piece.runs), kReach);
@@ -112,7 +112,7 @@ Result<MarkerFile> read_cut_marker(std::string_view text, const ReadingOptions& 
       marker.notes.push_back({field, "no closed outline is cut; left out"});
       continue;
     }
-    // Without N, every loop that lies in no other is a piece.
+    // Without N, every outermost loop is a piece.
     while (!loops.empty()) {
       Loop outline = std::move(loops.front());
       loops.erase(loops.begin());

@@ -1,8 +1,9 @@
-// A cut file as the marker that it cuts: its pieces lie where they are cut.
+// Reads a cut file as a marker, in which the pieces lie where they are cut.
 //
-// The unit is the caller's, else a tenth of a millimetre (G71), else a hundredth of an inch.  A piece is the largest
-// closed loop between two N; the knife cuts an outline in several runs, which are joined where their ends meet.  Other
-// loops and runs of the knife become inner cuts.  Labels such as "S:XL-A M:STYLE N:FRONT" give size, bundle and name.
+// The unit is the caller's, otherwise a tenth of a millimetre (G71), otherwise a hundredth of an inch.  A piece is the
+// largest closed loop between two N; the knife cuts an outline in several runs, which are joined where their ends meet.
+// Other loops and runs of the knife become inner cuts.  Labels such as "S:XL-A M:STYLE N:FRONT" give size, bundle and
+// name.
 #pragma once
 
 #include <string_view>

@@ -18,7 +18,7 @@ struct Word {
   double number{};
 };
 
-// The words of a block; none when it is text.  A letter alone, such as A, counts as having the number 0.
+// The words of a block; none when it is text.  A letter without a number, such as A, has the number 0.
 std::optional<std::vector<Word>> words_of(std::string_view block) {
   std::vector<Word> words;
   for (std::size_t at = 0; at < block.size();) {
@@ -47,7 +47,7 @@ bool only_coordinates(const std::vector<Word>& words) {
                                        [](const Word& word) { return word.letter == 'X' || word.letter == 'Y'; });
 }
 
-// Carries out the blocks one after another.
+// Executes the blocks one after another.
 class Interpreter {
  public:
   explicit Interpreter(std::string_view text) : text_{text}, encoding_{encoding_of(text)} {}
@@ -78,7 +78,7 @@ class Interpreter {
     return std::nullopt;
   }
 
-  // False at the end of the program.
+  // Returns false at the end of the program.
   bool obey(const Word& word, const std::vector<Word>& block) {
     switch (word.letter) {
       case 'X':
@@ -122,7 +122,7 @@ class Interpreter {
     return true;
   }
 
-  // The label follows in a block of its own; its place stands before it, or comes in between.
+  // The label follows in a separate block; its position is before it or in between.
   void read_label(bool placed) {
     auto text = next();
     if (text && !placed) {
@@ -158,7 +158,7 @@ class Interpreter {
     constexpr std::size_t kMostNotes = 20;
     if (++unread_ > kMostNotes) return;
     commands_.notes.push_back({"/block/" + std::to_string(number_),
-                               json::shortened(Json(decoded(block, encoding_))) + " is no command; passed over"});
+                               json::shortened(Json(decoded(block, encoding_))) + " is not a command; ignored"});
   }
 
   CutCommands finish() {

@@ -1,9 +1,9 @@
 // The commands of a cut file: ASTM D6672 (a subset of EIA-274-D) with Gerber's codes.
 //
 // A file is a list of blocks that end with *, each of words: a letter and a number.  Coordinates are absolute and
-// modal. Understood are X, Y, N (a piece begins), M14 and B (knife down), M15 and A (knife up), M20 (message), M31
-// (label), M43 and M44 (drill), M0 and M30 (end), G70 and G71 (unit); other commands are passed over, as the standard
-// demands.
+// modal.  The reader supports X, Y, N (a piece begins), M14 and B (knife down), M15 and A (knife up), M20 (message),
+// M31 (label), M43 and M44 (drill), M0 and M30 (end), G70 and G71 (unit); it ignores other commands, as the standard
+// requires.
 #pragma once
 
 #include <optional>

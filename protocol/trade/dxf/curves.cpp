@@ -104,7 +104,7 @@ struct Spline {
   }
   [[nodiscard]] Spot at(double t, std::size_t span) const { return polar(span, std::vector<double>(degree, t)); }
 
-  // True when every span is a polynomial of at most the third degree: a Bezier curve that Path flattens.
+  // True if every span is a polynomial of at most the third degree, that is, a Bezier curve that Path flattens.
   [[nodiscard]] bool is_cubic() const {
     const bool rational = std::any_of(weights.begin(), weights.end(), [&](double w) { return w != weights.front(); });
     return degree <= 3 && !rational;
@@ -130,7 +130,7 @@ std::optional<Spline> spline_of(const Entity& entity) {
   return spline;
 }
 
-// A span of the spline, halved until the chord lies within the tolerance of its middle and quarters.
+// Adds a span of the spline, halved until the chord lies within the tolerance of its middle and quarter points.
 void add_span(Path& path, const Spline& spline, std::size_t span, double from, double to, double tolerance, int depth) {
   const Spot a = path.end(), b = spline.at(to, span);
   const auto off = [&](double part) {

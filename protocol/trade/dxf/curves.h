@@ -8,7 +8,7 @@
 
 namespace selvage::protocol::trade::dxf {
 
-// None for an entity that draws no line.
+// Returns none for an entity that draws no line.
 [[nodiscard]] std::optional<Run> run_of(const Entity& entity, double tolerance);
 
 }  // namespace selvage::protocol::trade::dxf

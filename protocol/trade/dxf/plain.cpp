@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kReach = 0.01;  // millimetres, between the ends of lines
 
-// How an INSERT scales, turns and moves its block; then the unit.
+// How an INSERT scales, rotates and moves its block; then the conversion of the unit.
 struct Insertion {
   double xx{1}, xy{}, yx{}, yy{1};
   Spot at{};

@@ -1,7 +1,7 @@
 // A DXF file as its tags: pairs of lines, a group code and a value.
 //
-// Only ASCII DXF is read: pattern files are ASCII by their standard.  A tag reader of our own, because the libraries in
-// reach lose the group codes 39 and 50 of a POINT, in which pattern files keep the width and angle of a notch.
+// Only ASCII DXF is read: pattern files are ASCII by their standard.  We use our own reader, because the available
+// libraries lose the group codes 39 and 50 of a POINT, which contain the width and angle of a notch in pattern files.
 #pragma once
 
 #include <cstdint>

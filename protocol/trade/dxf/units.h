@@ -12,8 +12,8 @@
 
 namespace selvage::protocol::trade::dxf {
 
-// In millimetres: the caller's, else that of the text "Units:", else $INSUNITS.  A note says which.
-// Errors: kMissingField when none of them says it.
+// In millimetres: the caller's unit, otherwise that of the text "Units:", otherwise $INSUNITS.  A note says which.
+// Errors: kMissingField if none of them is given.
 [[nodiscard]] Result<double> settle_unit(const std::map<std::string, std::string>& texts,
                                          std::optional<int> insert_units, std::optional<LengthUnit> asked,
                                          std::vector<Note>& notes);

@@ -1,7 +1,7 @@
 // The nesting XML of ESICUP (github.com/ESICUP/datasets): a lot of pieces, a board, and perhaps solutions.
 //
 // Its coordinates grow downwards from the upper left ("up-left"); ours grow upwards, so y and angles change sign.  The
-// form states no unit: the caller's is taken, else millimetres, and numbers stay as they are.  The shortest solution
+// format has no unit: the caller's or millimetres are assumed, and numbers are not converted.  The shortest solution
 // places the pieces; without one they lie in columns, as those of a pattern do.
 #pragma once
 
@@ -20,8 +20,8 @@ namespace selvage::protocol::trade::esicup {
 // polygon), kOutOfRange (too many pieces), and those of on_lattice.
 [[nodiscard]] Result<MarkerFile> read_esicup(std::string_view text, const ReadingOptions& options);
 
-// The lot, the board as long as the marker, and the marker as the solution.  A flipped piece is a piece of its own,
-// whose polygon is mirrored.
+// The lot, the board as long as the marker, and the marker as the solution.  A flipped piece is written as a separate
+// piece with a mirrored polygon.
 [[nodiscard]] std::string esicup_file(const MarkerFile& file);
 
 }  // namespace selvage::protocol::trade::esicup

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kPlotterUnit = 0.025;  // millimetres
 constexpr double kEndsReach = 0.06;     // millimetres, between the ends of strokes
-constexpr double kLeastPiece = 100;     // square millimetres: smaller outlines alone on the cloth are marks
+constexpr double kLeastPiece = 100;     // square millimetres; smaller isolated outlines are marks
 
 void to_millimetres(Run& run, double unit) {
   for (Spot& point : run.points) point = {point.x * unit, point.y * unit};
@@ -36,7 +36,7 @@ bool is_rectangle(const Loop& loop) {
 struct Frame {
   Spot low, high;
 };
-// Takes the frame away, when there is one.
+// Removes the frame, if there is one.
 std::optional<Frame> take_frame(std::vector<NestedLoop>& outlines) {
   if (outlines.size() != 1 || !is_rectangle(outlines.front().loop)) return std::nullopt;
   NestedLoop& around = outlines.front();

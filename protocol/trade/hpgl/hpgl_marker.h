@@ -1,8 +1,8 @@
-// A plot as the marker that it draws: every outermost closed outline is a piece where it lies.
+// Reads a plot as a marker: every outermost closed outline is a placed piece.
 //
 // A rectangle around everything else is the frame of the marker: its height is the cloth's width.  Closed lines inside
 // a piece become inner lines, open and dashed ones too; a label that begins inside a piece is its name.  A plot does
-// not say which of its lines are cut, so a note asks to compare.
+// not say which of its lines are cut, so a note asks the user to check.
 #pragma once
 
 #include <string_view>

@@ -90,7 +90,7 @@ class Instructions {
       const char* const first = text_.data() + at_;
       const auto [end, fault] = std::from_chars(first, text_.data() + text_.size(), number, std::chars_format::fixed);
       if (fault == std::errc::invalid_argument) {
-        ++at_;  // a comma or a blank
+        ++at_;  // skips a comma or a blank
         continue;
       }
       at_ += static_cast<std::size_t>(end - first);

@@ -1,9 +1,9 @@
-// What a plot draws: the strokes and labels of HP-GL and HP-GL/2 files, as far as pattern rooms write them.
+// The strokes and labels of HP-GL and HP-GL/2 files, as far as pattern rooms use them.
 //
-// Understood are PU, PD, PA and PR (the pen), AA, AR and CI (arcs and circles), EA, ER, RA and RR (rectangles), LB with
-// DT (labels) and LT (a stroke is dashed); other instructions are passed over.  Encoded polylines (PE) and scaling (SC)
-// change what is drawn and are noted.
-// Units: plotter units, 0.025 mm, unless the file is scaled.
+// The reader supports PU, PD, PA and PR (the pen), AA, AR and CI (arcs and circles), EA, ER, RA and RR
+// (rectangles), LB with DT (labels) and LT (a stroke is dashed); it ignores other instructions.  Encoded polylines
+// (PE) and scaling (SC), which affect the drawing, are noted.  Units: plotter units, 0.025 mm, unless the file is
+// scaled.
 #pragma once
 
 #include <string>

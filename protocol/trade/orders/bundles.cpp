@@ -71,7 +71,7 @@ class Bundler {
     }
   }
 
-  // With every second bundle turned, each piece is there twice: as drawn, and for the turned bundles.
+  // If every second bundle is rotated, each piece exists twice: as drawn, and for the rotated bundles.
   void settle_nap() {
     first_turned_ = style_.pieces.size();
     for (PatternPiece& piece : style_.pieces) {

@@ -24,7 +24,7 @@ void add_to(Sums& sums, const std::string& size, int garments) {
     known->second += garments;
 }
 
-// The ratio that makes whole markers of the order, when it does not say one.
+// The ratio that divides the order into whole markers, if the order gives none.
 void settle_ratio(Order& order, const Sums& sums) {
   if (!order.ratio.empty()) return;
   int divisor = 0;
@@ -172,7 +172,7 @@ Result<Order> one_of_each_size(Order order) {
     return Error{ErrorCode::kOutOfRange, "upDown, by which every second bundle is turned; a plan takes one or either",
                  "/mode"};
   }
-  order.notes.clear();  // they are about the ratio
+  order.notes.clear();  // they concern the ratio
   order.ratio.clear();
   for (const Quantity& quantity : order.quantities) {
     const bool known = std::any_of(order.ratio.begin(), order.ratio.end(),

@@ -1,4 +1,4 @@
-// An order, and the marker that is to be made for it.
+// An order, and the marker to make for it.
 //
 // JSON:  {"order": "A17", "style": "S350", "quantities": {"red": {"S": 10, "M": 20}},
 //         "material": "SHL", "width": 1500, "mode": "either", "ratio": {"S": 1, "M": 2},
@@ -53,9 +53,9 @@ inline constexpr int kMostBundles = 1000;  // of one size
 // JSON pointer into the order, or "/line/N".
 [[nodiscard]] Result<Order> read_order(std::string_view text);
 
-// The order with one bundle of each size that it has quantities of, of which a plan chooses the ratios of its markers.
-// Errors: kMissingField without quantities; kOutOfRange when each second bundle is to be turned, since no bundle is the
-// second one yet.
+// The order with one bundle of each size that it has quantities of; a plan chooses the ratios of its markers.  Errors:
+// kMissingField without quantities; kOutOfRange when each second bundle is to be turned, since no bundle is the second
+// one yet.
 [[nodiscard]] Result<Order> one_of_each_size(Order order);
 
 }  // namespace selvage::protocol::trade::orders

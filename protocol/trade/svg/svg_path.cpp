@@ -31,7 +31,7 @@ class Scanner {
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
     return value;
   }
-  // Of an arc: one digit, with nothing behind it.
+  // A flag of an arc: one digit, which needs no separator after it.
   std::optional<bool> flag() {
     skip();
     if (text_.empty() || (text_.front() != '0' && text_.front() != '1')) return std::nullopt;
@@ -72,7 +72,7 @@ class PathReader {
       if (runs_.empty() && !path_ && std::toupper(command) != 'M') break;
       do {
         if (!obey(command)) return finish();
-        // Further coordinates of a move are lines.
+        // Further coordinates of a move command draw lines.
         if (command == 'M') command = 'L';
         if (command == 'm') command = 'l';
       } while (std::toupper(command) != 'Z' && scanner_.at_number());

@@ -1,4 +1,4 @@
-// The runs of points that the paths and basic shapes of SVG draw, moved by a transform and flattened.
+// Converts the paths and basic shapes of SVG to runs of points, transformed and flattened.
 #pragma once
 
 #include <optional>
@@ -21,7 +21,7 @@ struct Matrix {
 // The value of a transform attribute: matrix, translate, scale, rotate, skewX and skewY; none when it is malformed.
 [[nodiscard]] std::optional<Matrix> transform_in(std::string_view text);
 
-// The subpaths of a path's d.  As SVG demands, a malformed path is drawn up to its mistake.
+// The subpaths of a path's d.  As SVG requires, a malformed path is drawn up to its error.
 [[nodiscard]] std::vector<Run> runs_of_path(std::string_view d, const Matrix& matrix, double tolerance);
 // The points of a polygon or polyline.
 [[nodiscard]] std::vector<Run> runs_of_points(std::string_view points, bool closed, const Matrix& matrix);

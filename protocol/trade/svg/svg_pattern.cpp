@@ -153,7 +153,7 @@ class PatternMaker {
   }
 
  private:
-  // The number of what was drawn stands for the line of a loop or run.
+  // The index of the drawn element is stored as the line of a loop or run.
   void find_outlines() {
     std::vector<Loop> closed;
     for (std::size_t k = 0; k < drawn_.size(); ++k) {
@@ -182,7 +182,7 @@ class PatternMaker {
     return cloth && !has_word(drawn.classes, "sa") ? document::LineKind::kSew : document::LineKind::kInternal;
   }
 
-  // Open lines go to the piece in which they lie.
+  // Open lines are added to the piece in which they lie.
   void share_out() {
     for (Run& run : open_) {
       const Drawn& drawn = drawn_[run.line];

@@ -1,9 +1,9 @@
 // Drawings in SVG as patterns: every outermost closed outline is a piece.
 //
-// Units: those of width and viewBox, else the caller's, else CSS pixels of 1/96 inch.  What lies in a piece becomes an
-// annotation.  Of FreeSewing's classes "sa" is the cut line, and "fabric", "lining" and "interfacing" the material; its
-// markers tell the grain line and the line to cut on the fold.  Elements that are not shown are left out: definitions,
-// display: none, and the class "hidden".
+// Units: those of width and viewBox, otherwise the caller's, otherwise CSS pixels of 1/96 inch.  Elements inside a
+// piece become annotations.  Of FreeSewing's classes "sa" is the cut line, and "fabric", "lining" and "interfacing" the
+// material; its markers identify the grain line and the line to cut on the fold.  Elements that are not shown are left
+// out: definitions, display: none, and the class "hidden".
 #pragma once
 
 #include <string_view>

@@ -107,7 +107,7 @@ TEST(RichpeaceLike, CopiesForValidationAreNoOutlinesAndGbkIsRead) {
   EXPECT_EQ(file.marker.shapes[0].outline.size(), 6U);
   EXPECT_EQ(pieces_of(file, "SLEEVE"), 2U);
   EXPECT_TRUE(has_note(file, "texts are read as GBK"));
-  EXPECT_TRUE(has_note(file, "that some of them are mirrored is not said"));
+  EXPECT_TRUE(has_note(file, "the file does not say whether some of them are mirrored"));
   const auto drawn = annotations(file, "SLEEVE");
   ASSERT_EQ(drawn.notches.size(), 1U);
   EXPECT_EQ(drawn.notches[0].kind, protocol::document::NotchKind::kT);
