@@ -1,5 +1,5 @@
-// The tables of coverings and of the thesis' program in docs/packing.md: for each instance and convex covering how many
-// sets and half-planes it has, and what Cbc makes of the program.
+// Prints the tables of coverings and of the thesis' program in docs/packing.md: for each instance and convex covering,
+// the number of sets and half-planes, and the result of Cbc for the program.
 //
 //   coverings_table [--seconds S] [--programs FOLDER] INSTANCE.json...
 //
@@ -53,7 +53,7 @@ lp::integer::IntegerSolution solved(const lp::integer::IntegerProgram& program, 
   return lp::integer::solve_by_branch_and_cut(program, limits, {}, stop.get_token());
 }
 
-// In the LP format that most solvers read.
+// Writes the LP format, which most solvers read.
 void write_program(const lp::integer::IntegerProgram& program, const std::string& path) {
   std::ofstream file{path};
   file.precision(17);

@@ -1,12 +1,12 @@
-// The table of gaps in docs/packing.md: pieces that lie near each other are taken out of a compacted marker, and
-// `contain` is asked whether they fit into the box that they lay in, beside all others.  They do; then the largest of
-// them is made 3 % larger, so that most often they do not.
+// Prints the table of gaps in docs/packing.md.  Pieces that lie near each other are taken out of a compacted marker,
+// and `contain` decides whether they fit into the box in which they lay, among all others.  They do.  Then the largest
+// piece is made 3 % larger, so that usually they do not.
 //
 //   gaps_table [--least N] [--most N] [--gaps N] [--nodes N] [--seed N] [--slow MS] [--only GAP] MARKER.json...
 //
-// Of `gaps` random gaps in each marker, of `least` to `most` pieces (defaults: 200 of 3 to 9).  Times are seconds of
-// processor time.  With `--slow`, gaps that take so many milliseconds or more are listed on the error stream, with
-// their numbers; `--only` asks for one of them.
+// Uses `gaps` random gaps in each marker, of `least` to `most` pieces (defaults: 200 gaps of 3 to 9 pieces).  Times are
+// seconds of processor time.  With `--slow`, gaps that take so many milliseconds or more are listed on the error
+// stream, with their numbers; `--only` asks for one of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,7 +41,7 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// A random piece and those whose middles are nearest to its own; the largest first.
+// A random piece and the pieces whose middles are nearest to its own, the largest first.
 std::vector<PieceId> near_each_other(const marker::PlacedPieces& pieces, std::size_t count, std::mt19937_64& random) {
   const auto middle = [&](std::uint32_t k) {
     const Box& box = pieces.box(k);

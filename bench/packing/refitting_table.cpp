@@ -1,5 +1,5 @@
-// The tables of refitting in docs/packing.md: what fill_gaps and compact_exactly gain over standard compaction, one
-// line for each marker and number of trials.
+// Prints the tables of refitting in docs/packing.md: the gain of fill_gaps and compact_exactly over standard
+// compaction, one line for each marker and time limit.
 //
 //   refitting_table [--motion fill|windows] [--seconds S]... [--pieces N] [--nodes N] [--seed N] MARKER.json...
 //
@@ -24,7 +24,7 @@ double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// A motion run until the processor time is up, which is noticed after a round.
+// Runs a motion until the processor time is used up, which is checked after every round.
 template <class Motion>
 auto timed(double seconds, const Motion& motion) {
   SumCache sums;

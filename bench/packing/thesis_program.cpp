@@ -38,7 +38,7 @@ class ProgramMaker {
   [[nodiscard]] lp::LinearProgram& program() { return made_.program.linear; }
   [[nodiscard]] int column_x(std::uint32_t body) const { return length_ + 1 + 2 * static_cast<int>(body); }
 
-  // Its position, which the right end of the marker is beyond.
+  // Adds the columns of a body's position, and the row that keeps its right end within the length.
   void add_body(std::uint32_t body) {
     const RealBox& range = ranges_[body];
     program().add_column(0, range.low_x / made_.unit, range.high_x / made_.unit);

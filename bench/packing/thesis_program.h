@@ -1,7 +1,7 @@
 // The mixed integer program of [Li94 8.2], as a baseline for the search: one binary variable for every set of a convex
 // covering of every ring, one of them 1, and the lines of a set as rows that hold when its variable is 1 (8.2).
 //
-// The constant of each row is the least that switches it off anywhere in the strip.  Units: widths of the room.
+// The constant of each row is the smallest that disables it anywhere in the strip.  Units: widths of the room.
 #pragma once
 
 #include "core/lp/integer/integer_program.h"
@@ -17,7 +17,8 @@ struct ThesisProgram {
   double unit{};  // lattice units in a unit of the program
 };
 
-// The layouts up to a length, in lattice units.  REQUIRES: every body has one variant, and the length is minimised.
+// The program of the layouts up to a length, in lattice units.  REQUIRES: every body has one variant, and the length is
+// minimised.
 [[nodiscard]] ThesisProgram thesis_program(const packing::branching::Problem& problem, Cover cover, double longest);
 
 }  // namespace selvage::bench

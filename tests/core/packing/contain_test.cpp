@@ -116,7 +116,7 @@ TEST(Contain, KeepsToAPolygon) {
   ASSERT_EQ(both.verdict, Verdict::kFound);
   EXPECT_EQ(both.marker.pieces[0].at, (Vec{0, 10'000}));
   EXPECT_EQ(both.marker.pieces[1].at, (Vec{40'000, 0}));
-  // The same in the box of the arrow has much room; in an arrow a little smaller it has none.
+  // The same piece has much room in the box of the arrow, and none in a slightly smaller arrow.
   Polygon smaller = arrow();
   smaller[3].x -= 10;
   EXPECT_EQ(contained(marker, all_of(marker), Container{smaller}).verdict, Verdict::kImpossible);

@@ -148,7 +148,7 @@ TEST(Pack, PlacesUnplacedPieces) {
   const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
   layout.put(square, {10'000, 0}, 0, true).put(square, {0, 0}).put(square, {0, 0}).put(square, {0, 0});
   Marker marker = layout.marker();
-  // Locks and groups of unplaced pieces say nothing about where they may go, and stay with them.
+  // Locks and groups of unplaced pieces do not restrict their positions, and are kept.
   marker.pieces[2].locked = Locks{true, true, false};
   marker.pieces[2].group = marker.pieces[3].group = "pair";
   marker.unplaced.assign(marker.pieces.begin() + 2, marker.pieces.end());
@@ -191,7 +191,7 @@ TEST(Pack, HoldsItsBestAnswerAtTheWorkLimit) {
   EXPECT_LT(packing.work.nodes, 400U);
 }
 
-// A search that is far from its end has a layout of a short nesting, not of pieces in a row.
+// A search that is far from its end returns the layout of a short nesting, not pieces in a row.
 TEST(Pack, NestsInstancesThatItCannotFinishSoon) {
   test::Random random{4};
   std::vector<test::Squares> pieces;

@@ -9,7 +9,8 @@ namespace selvage::test {
 namespace {
 
 bool has_hole(const std::set<Vec>& squares) {
-  // Fill the outside of the box, grown by one square: squares that are neither taken nor reached are a hole.
+  // Fills the outside of the box, enlarged by one square: squares neither taken nor reached form a
+  // hole.
   const std::vector<Vec> all{squares.begin(), squares.end()};
   const Box box = box_of(all).grown(1);
   std::set<Vec> reached{box.low};
@@ -68,7 +69,7 @@ Squares random_squares(Random& random, std::size_t count) {
 }
 
 Polygon outline_of(const Squares& squares) {
-  // The sides that are not shared run counter-clockwise; each starts where another ends.
+  // The sides that are not shared run counter-clockwise, and each starts where another ends.
   std::map<Vec, Vec> sides;
   const std::set<Vec> taken{squares.begin(), squares.end()};
   for (const Vec s : squares) {

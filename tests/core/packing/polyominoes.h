@@ -1,4 +1,4 @@
-// Polyominoes in a box of unit squares: instances whose every answer an exhaustive search over squares knows.
+// Polyominoes in a box of unit squares: instances whose answers are known from an exhaustive search over squares.
 #pragma once
 
 #include <cstdint>

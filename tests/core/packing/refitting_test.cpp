@@ -104,8 +104,8 @@ TEST(FillGaps, StopsWhenAskedWithItsBestMarker) {
   EXPECT_TRUE(is_valid(filled->marker));
 }
 
-// A layout that compaction cannot shorten, so many times one behind another: the low bars have room above the tall
-// ones, but no way to it.
+// Copies of a layout that compaction cannot shorten, one behind another: there is room for the low bars above the tall
+// ones, but they cannot get there.
 Marker bars(int times) {
   test::Layout layout{100'000};
   const auto tall = layout.shape_of(test::rectangle(30'000, 65'000));
@@ -128,7 +128,7 @@ TEST(CompactExactly, PutsBarsWhereCompactionCannot) {
   EXPECT_EQ(exact->length_after, 130'000);
   EXPECT_EQ(exact->reason, scene::StopReason::kConverged);
   EXPECT_TRUE(is_valid(exact->marker));
-  // With one low bar alone the other one stays in the way.
+  // In a window of only one low bar, the other one blocks it.
   ExactCompactionSettings narrow;
   narrow.pieces = narrow.most_pieces = 1;
   EXPECT_EQ(compact_exactly(marker, narrow, scene::Run{sums})->length_after, 160'000);

@@ -1,4 +1,4 @@
-// Cloth's rules in exact packing and containment: layouts keep them, and what is proved is proved with them.
+// Cloth's rules in exact packing and containment: layouts keep them, and proofs take them into account.
 #include "core/marker/rules.h"
 
 #include <gtest/gtest.h>

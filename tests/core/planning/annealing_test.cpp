@@ -14,7 +14,7 @@ Lengths made_lengths_of(const orders::Problem& problem) {
   return {test::all_candidates(problem), orders::LengthEstimate{problem.cloth.width}, true, {}};
 }
 
-// Small orders have few cuttings, so that annealing mostly sees the best of them.
+// Small orders have few cuttings, so annealing usually finds the best of them.
 TEST(Annealing, FindsTheCheapestCuttingOfMostSmallOrders) {
   Random random{21};
   int orders = 0, best = 0;

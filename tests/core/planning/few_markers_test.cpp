@@ -35,7 +35,7 @@ TEST(FewMarkers, AreAllCuttingsWhenThereIsTime) {
   EXPECT_GT(feasible, 20);
 }
 
-// With room for all plies in one lay, what is known of the sets is exact.
+// If one lay has room for all plies, the bounds of the sets are exact.
 TEST(FewMarkers, AreExactWhereOneLayIsEnough) {
   Random random{12};
   for (int trial = 0; trial < 40; ++trial) {

@@ -36,7 +36,7 @@ TEST(OverlapRemoval, SeparatesSmallOverlaps) {
   }
 }
 
-// Two blocks and a trim between them are higher than the strip: the trim must go elsewhere.
+// Two blocks and a trim between them are higher than the strip, so the trim must be moved elsewhere.
 TEST(OverlapRemoval, PopsTheTrimOfAColumnThatIsTooTall) {
   test::Layout layout{50'000};
   const auto block = layout.shape_of(test::rectangle(40'000, 22'000));

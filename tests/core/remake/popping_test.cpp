@@ -46,7 +46,8 @@ TEST(Popping, PutsAPanelWhereThereIsRoom) {
   EXPECT_LE(length_of(apart->marker), length_of(marker));
 }
 
-// The gap is a little too short for any of the panels; the wall behind it gives way once the piece is restored there.
+// The gap is slightly too short for any of the panels.  The wall behind it is pushed away when the piece is restored
+// there.
 TEST(Popping, RestoresAPieceThatWasPutBackShrunken) {
   const Marker marker = tall_column(500, 19'000);
   substitution::RemakeTuning tuning;

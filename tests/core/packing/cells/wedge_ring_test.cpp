@@ -14,7 +14,7 @@
 namespace selvage::packing::cells {
 namespace {
 
-// The rings of two random pieces, as the search makes them.
+// The rings of two random pieces, as computed by the search.
 std::vector<WedgeRing> rings_of(const minkowski::Obstacle& obstacle, Vec offset) {
   std::vector<WedgeRing> rings;
   for (const auto& sum : obstacle.sum().rings()) rings.emplace_back(sum, obstacle, offset);
@@ -129,7 +129,7 @@ TEST(Hull, ContainsAllPoints) {
     for (const RealVec p : points) {
       for (const HalfPlane& plane : planes) EXPECT_GE(plane.room(p), 0);
     }
-    // Every plane touches some point, but for the slack.
+    // Every plane touches some point, except for the slack.
     for (const HalfPlane& plane : planes) {
       const auto touches = [&](RealVec p) { return plane.room(p) < 2 * kRounding; };
       EXPECT_TRUE(std::any_of(points.begin(), points.end(), touches));

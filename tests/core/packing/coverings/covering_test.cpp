@@ -19,14 +19,14 @@ WedgeRing ring_of(const Polygon& p, const Polygon& q) {
   return {obstacle.sum().rings().front(), obstacle, {}};
 }
 
-// How many sets have the point more than `margin` units inside.
+// The number of sets that contain the point at a depth of more than `margin` units.
 std::size_t sets_with(const std::vector<ConvexSet>& sets, RealVec p, double margin) {
   return static_cast<std::size_t>(std::ranges::count_if(sets, [&](const ConvexSet& set) {
     return std::ranges::all_of(set, [&](const HalfPlane& side) { return side.room(p) >= margin; });
   }));
 }
 
-// A star-shaped ring about the point, from the first of its wedges' lines: how deep it lies inside.
+// How deep the point lies inside a star-shaped ring, measured in the wedge that faces it.
 double depth_in(const WedgeRing& ring, RealVec p) {
   return ring.depth(ring.facing(p), p);
 }
@@ -92,7 +92,7 @@ TEST(Coverings, OfSquares) {
   EXPECT_EQ(slices(ring).size(), 4U);
 }
 
-// An L and a square: one set of the walk has both edges of the inner corner, so it has one set less than edges.
+// An L and a square: one set of the walk has both edges of the inner corner, so the walk has one set fewer than edges.
 TEST(Coverings, TheWalkTakesAnInnerCornerInOneSet) {
   const Polygon square{{0, 0}, {100, 0}, {100, 100}, {0, 100}};
   const Polygon angle{{0, 0}, {1000, 0}, {1000, 500}, {500, 500}, {500, 1000}, {0, 1000}};

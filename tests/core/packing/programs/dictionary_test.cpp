@@ -82,15 +82,15 @@ TEST(LeafProof, NamesRowsAndAsFewRangesAsItNeeds) {
   pair.ranges.wide = wide;
   pair.ranges.bodies = {{70, 0, 100, 20}, {0, 0, 60, 20}};
   pair.ranges.why = {{.low_x = decision(1)}, {.high_x = decision(2)}};
-  // The second body is right of the first: either range is needed, and one of them alone does not do.
+  // The second body is right of the first.  Both ranges are needed; neither of them suffices alone.
   const std::vector<Dictionary::Multiplier> near{{{0, 1, false, {1, 0, 10}, decision(0)}, 1}};
   ASSERT_TRUE(refutes(near, pair.ranges));
   EXPECT_EQ(why_refuted(near, pair.ranges), decision(0) | decision(1) | decision(2));
-  // So far right that one range does.
+  // So far to the right that one range suffices.
   const std::vector<Dictionary::Multiplier> far{{{0, 1, false, {1, 0, 65}, decision(0)}, 1}};
   ASSERT_TRUE(refutes(far, pair.ranges));
   EXPECT_EQ(why_refuted(far, pair.ranges), decision(0) | decision(1));
-  // Whatever the second body's range, the marker ends behind the first.
+  // The marker ends behind the first body, whatever the range of the second.
   const std::vector<Dictionary::Multiplier> end{{{0, 0, true, {1, 0, 10}}, 1}};
   EXPECT_EQ(why_longer(end, pair.ranges, 70), decision(1));
 }

@@ -13,7 +13,7 @@ namespace {
 
 using Raise = std::tuple<std::size_t, std::size_t, double>;
 
-// All longest paths, by Floyd and Warshall; nothing is known of a cycle that grows.
+// All longest paths, by Floyd and Warshall.  With a cycle of positive length they are contradictory.
 struct LongestPaths {
   std::vector<std::vector<double>> lower;
   bool contradictory{};
@@ -62,7 +62,7 @@ TEST(DifferenceBounds, AreClosedByLongestPaths) {
   EXPECT_GT(contradictions, 50);
 }
 
-// Of the raises, those that the reasons name: number k has the decision k.
+// The raises that the reasons name; raise k belongs to decision k.
 std::vector<Raise> named(const std::vector<Raise>& raises, Reasons why) {
   std::vector<Raise> some;
   for (std::size_t k = 0; k < raises.size(); ++k) {

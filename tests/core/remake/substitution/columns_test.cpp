@@ -64,7 +64,7 @@ TEST(Columns, ReplaceAPiece) {
   EXPECT_EQ(stack.excess().total, 0);
 }
 
-// A column that is demanded fits wherever pieces lie without overlap.
+// The columns of a layout without overlaps have no excess.
 TEST(Columns, OfValidMarkersHaveNoExcess) {
   for (const char* name : {"jeans_02g", "charlie_04g"}) {
     const Marker marker = test::garment(name);
