@@ -288,7 +288,7 @@ TEST(MotionLaws, Refinement) {
 }
 
 // `fine` may use every cheaper preset and tilting, and is never longer than any of them on the same marker.
-TEST(MotionLaws, RefinementIsNoLongerThanWhatItMayUse) {
+TEST(MotionLaws, RefinementIsNotLongerThanThePresetsThatItMayUse) {
   using motion::compaction::Accuracy;
   Random random{112};
   for (int trial = 0; trial < 40 / kSlowdown; ++trial) {

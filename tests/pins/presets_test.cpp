@@ -75,7 +75,7 @@ TEST(Presets, FineShortensByTwoPercentMore) {
 // Compaction from 5 % slack of a garment marker tiled.
 class CompactionGrowth : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(CompactionGrowth, TakesNoMoreThanItDid) {
+TEST_P(CompactionGrowth, TakesNoMoreWorkThanRecorded) {
   const Marker tile = loosened(garment(GetParam()), 0.05);
   for (const std::size_t pieces : {100U, 400U, 1600U}) {
     const std::string key = std::string{GetParam()} + "/tiled/" + std::to_string(pieces);

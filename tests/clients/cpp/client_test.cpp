@@ -91,7 +91,7 @@ TEST(Client, SendsItsToken) {
   std::filesystem::remove(token_file);
 }
 
-TEST(Client, ACallThatIsTooLongFailsAloneWithTooLarge) {
+TEST(Client, OnlyACallThatIsTooLongFailsWithTooLarge) {
   const LiveDaemon daemon{{"--max-body-mb", "1"}};
   Client client{daemon.socket()};
   Call longest = client.begin("marker.open", {{"marker", std::string(2 << 20, 'x')}});

@@ -74,7 +74,7 @@ geometry::SplitOrientation split_of(bool flip, double rotation, double tilt) {
   return geometry::split({flip, Angle::of_degrees(rotation), Angle::of_degrees(tilt)});
 }
 
-TEST(Split, LeavesNoTurnForMultiplesOfNinety) {
+TEST(Split, LeavesNoRotationForMultiplesOfNinety) {
   for (const bool flip : {false, true}) {
     for (int q = -9; q <= 9; ++q) {
       const geometry::SplitOrientation parts = split_of(flip, 90.0 * q, 0);

@@ -49,7 +49,7 @@ TEST(BestAlignment, UndoesATranslation) {
   }
 }
 
-TEST(BestAlignment, IsNoWorseThanTheMiddlesOfTheBoxes) {
+TEST(BestAlignment, IsNotWorseThanAligningTheMiddlesOfTheBoxes) {
   test::Random random{8};
   for (int trial = 0; trial < 30; ++trial) {
     const Polygon first = test::random_star(random, 12, 10'000);

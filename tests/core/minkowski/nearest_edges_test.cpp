@@ -71,7 +71,7 @@ TEST(NearestEdges, LeaveOutOnlySkippedBoxes) {
   }
 }
 
-TEST(NearestBoundaryPoint, IsNoFartherThanAnyEdge) {
+TEST(NearestBoundaryPoint, IsNotFartherThanAnyEdge) {
   Random random{133};
   for (int trial = 0; trial < 1000 / kSlowdown; ++trial) {
     const minkowski::MinkowskiSum sum = random_sum(random);

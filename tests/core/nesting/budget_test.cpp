@@ -38,7 +38,7 @@ TEST(Budget, AlternatesInEpochsThatDouble) {
   }
 }
 
-TEST(Budget, WhatIsDoneNextDoesNotDependOnTheMoves) {
+TEST(Budget, ThePhaseDoesNotDependOnTheLimitOfMoves) {
   for (std::uint64_t moves = 0; moves < 500; moves += 7) {
     EXPECT_EQ(budget(500).exploring(moves), budget(1'000'000).exploring(moves)) << moves;
   }

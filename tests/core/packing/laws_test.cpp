@@ -33,7 +33,7 @@ Marker with_pieces_at_origin(Marker marker, const std::vector<PieceId>& pieces) 
   return marker;
 }
 
-TEST(ContainLaws, FindsWhatWasCutOutOfAValidMarker) {
+TEST(ContainLaws, FindsPlacesForPiecesTakenOutOfAValidMarker) {
   test::Random random{31};
   for (int trial = 0; trial < 150 / test::kSlowdown; ++trial) {
     const Marker valid = test::random_marker(random);
@@ -133,7 +133,7 @@ TEST(PackLaws, AgreesWithExhaustiveSearchOnAGrid) {
 }
 
 // Where every piece is its own mirror image, half of the layouts are left out (core/packing/bodies/mirror.h).
-TEST(PackLaws, LeavesOutNothingButMirrorImages) {
+TEST(PackLaws, SkipsOnlyMirrorImages) {
   test::Random random{43};
   const auto bar = [&] {
     test::Squares squares;

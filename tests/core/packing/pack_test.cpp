@@ -230,7 +230,7 @@ TEST(Pack, ReportsABoundThatRisesAndTheNodesSoFar) {
   EXPECT_EQ(*rounds.back().nodes, packing.work.nodes);
 }
 
-TEST(Pack, StopsWhenAsked) {
+TEST(Pack, CanBeCancelled) {
   const Marker marker = test::loose_marker(5, 3, 2);
   SumCache sums;
   std::stop_source source;

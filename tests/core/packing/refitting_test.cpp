@@ -80,7 +80,7 @@ TEST(FillGaps, LeavesLockedPiecesAndGroups) {
   EXPECT_EQ(filled->length_after, standard_length(marker));
 }
 
-TEST(FillGaps, RefusesWhatCompactionRefuses) {
+TEST(FillGaps, RefusesMarkersThatCompactionRefuses) {
   test::Layout layout{50'000};
   const auto square = layout.shape_of(test::rectangle(9'000, 9'000));
   layout.put(square, {0, 0}).put(square, {1'000, 1'000});
@@ -90,7 +90,7 @@ TEST(FillGaps, RefusesWhatCompactionRefuses) {
   EXPECT_EQ(filled.error().code, ErrorCode::kMarkerOverlaps);
 }
 
-TEST(FillGaps, StopsWhenAskedWithItsBestMarker) {
+TEST(FillGaps, ReturnsTheBestMarkerSoFarWhenCancelled) {
   SumCache sums;
   std::stop_source source;
   scene::Run run{sums, source.get_token()};

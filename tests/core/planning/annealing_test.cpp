@@ -35,7 +35,7 @@ TEST(Annealing, FindsTheCheapestCuttingOfMostSmallOrders) {
   EXPECT_GT(best, orders * 3 / 4);
 }
 
-TEST(Annealing, TakesOnlyRatiosThatMayBeCut) {
+TEST(Annealing, UsesOnlyAllowedRatios) {
   Random random{22};
   orders::Problem problem = test::small_order(random);
   problem.limits.bundles = 2;

@@ -107,7 +107,7 @@ TEST(FewMarkers, AreNotListedBeyondTheTarget) {
   EXPECT_GT(fewer, 5);
 }
 
-TEST(FewMarkers, StopWhenAsked) {
+TEST(FewMarkers, CanBeCancelled) {
   std::stop_source stop;
   stop.request_stop();
   Random random{14};

@@ -52,7 +52,7 @@ TEST(Insertion, ReturnsAPieceToItsHomeWhenThatIsFree) {
   EXPECT_EQ(marker.pieces.back().at, at_home.at);
 }
 
-TEST(Insertion, LeavesPiecesThatAreTooWide) {
+TEST(Insertion, LeavesOutPiecesThatAreTooWide) {
   Marker marker = with_room();
   marker.unplaced = {square(marker, 51'000, "wide")};
   SumCache sums;

@@ -10,7 +10,7 @@
 namespace selvage::remake {
 namespace {
 
-TEST(OverlapRemoval, LeavesAValidMarkerAsItIs) {
+TEST(OverlapRemoval, DoesNotChangeAValidMarker) {
   const Marker marker = test::garment("jeans_02g");
   SumCache sums;
   const auto apart = remove_overlaps(marker, {}, scene::Run{sums});
@@ -74,7 +74,7 @@ TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
   EXPECT_TRUE(is_valid(apart->marker));
 }
 
-TEST(OverlapRemoval, GivesNothingWhenStopped) {
+TEST(OverlapRemoval, ReturnsNothingWhenCancelled) {
   test::Random random{13};
   const Marker marker = test::perturbed(random, test::garment("jeans_02g"), 0.05);
   SumCache sums;

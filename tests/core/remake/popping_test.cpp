@@ -25,7 +25,7 @@ Marker tall_column(Coord excess, Coord room) {
   return layout.marker();
 }
 
-TEST(Popping, LeavesPiecesInThatSeparationParts) {
+TEST(Popping, KeepsPiecesThatSeparationCanSeparate) {
   Marker marker = tall_column(0, 0);
   marker.pieces[3].at.x += 500;
   marker.pieces[3].at.y -= 500;
@@ -59,7 +59,7 @@ TEST(Popping, RestoresAPieceThatWasPutBackShrunken) {
   EXPECT_LE(length_of(apart->marker), length_of(marker) + 2'000);  // at the end it would take 20,000 more
 }
 
-TEST(Popping, GivesUpBeyondTheMostPieces) {
+TEST(Popping, GivesUpBeyondTheLimitOfPieces) {
   substitution::RemakeTuning tuning;
   tuning.growth = 0;
   tuning.pops = 0;

@@ -171,7 +171,7 @@ TEST(Refine, ReturnsTheBestSoFarWhenCancelled) {
   }
 }
 
-TEST(Refine, LeavesAMarkerOfLockedPiecesAlone) {
+TEST(Refine, DoesNotChangeAMarkerOfLockedPieces) {
   Marker marker = test::loose_marker(7);
   for (Piece& piece : marker.pieces) piece.locked = true;
   EXPECT_EQ(refined(marker, refine_settings()).marker, marker);

@@ -62,7 +62,7 @@ TEST(ExactDecimals, EveryLatticeCoordinateIsPrintedExactly) {
   }
 }
 
-TEST(ExactDecimals, WhatIsWrittenReadsBackAsTheSameLattice) {
+TEST(ExactDecimals, WrittenMarkersReadBackOnTheSameLattice) {
   std::mt19937_64 random{21};
   MarkerFile file = test::read(test::native_squares());
   for (int i = 0; i < 500; ++i) {

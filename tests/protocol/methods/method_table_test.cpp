@@ -118,7 +118,7 @@ TEST(Contain, ReportsTheClearanceWhenMostRoomIsRequested) {
   EXPECT_LT(fields["clearanceBound"].number(), 10.2);
 }
 
-TEST(Contain, RefusesWhatItCannotPlace) {
+TEST(Contain, RefusesInvalidPiecesAndRooms) {
   const auto none = ran("motion.contain", test::native_squares(), json("{}"));
   ASSERT_TRUE(none.error);
   EXPECT_EQ(none.error->field, "/pieces");
@@ -300,7 +300,7 @@ TEST(Motions, AnInvalidResultIsReportedAndNotKept) {
   EXPECT_TRUE(answer_of(start, end, Json::object(), true, {run}).next);
 }
 
-TEST(Motions, ReportWhatStoppedThem) {
+TEST(Motions, ReportTheReasonForStopping) {
   SumCache sums;
   const scene::Run run{sums};
   EXPECT_EQ(calls::stop_cause(scene::StopReason::kConverged, {run}), calls::StopCause::kConverged);

@@ -24,7 +24,7 @@ protocol::document::Annotations annotations(const MarkerFile& file, const std::s
   return {};
 }
 
-TEST(AccuMarkLike, NestHasEverySizeAndSharesWhatTheSampleSizeSays) {
+TEST(AccuMarkLike, NestHasEverySizeAndSharesFieldsOfTheSampleSize) {
   const MarkerFile file = read_example("accumark_like_nest.dxf");
   EXPECT_EQ(file.marker.shapes.size(), 6U);
   EXPECT_EQ(pieces_of(file, "BAND/30"), 1U);
@@ -101,7 +101,7 @@ TEST(AccuMarkLike, LinesMarkedNmAndNotchesOnTheFoldAreNotMirrored) {
   EXPECT_EQ(annotations(file, "BAND/32").notches.size(), 3U);  // one on the mirror line, one on both halves
 }
 
-TEST(RichpeaceLike, CopiesForValidationAreNoOutlinesAndGbkIsRead) {
+TEST(RichpeaceLike, ValidationCopiesAreIgnoredAndGbkIsRead) {
   const MarkerFile file = read_example("richpeace_like.dxf");
   ASSERT_EQ(file.marker.shapes.size(), 1U);
   EXPECT_EQ(file.marker.shapes[0].outline.size(), 6U);

@@ -87,7 +87,7 @@ TEST(HpglIn, RelativeCoordinatesRectanglesAndOtherEndsOfLabels) {
   EXPECT_EQ(file.marker.pieces[0].id, "A");
 }
 
-TEST(HpglIn, WhatIsNotReadIsNoted) {
+TEST(HpglIn, UnsupportedInstructionsAreNoted) {
   const MarkerFile file = plot("IN;IP0,0,100,100;SC0,1,0,1;PU0,0;PD8000,0,8000,8000,0,8000,0,0;PE<=abc;SP0;");
   EXPECT_TRUE(test::has_note(file, "SC: scaling is not followed"));
   EXPECT_TRUE(test::has_note(file, "PE: encoded polylines are not read"));

@@ -180,7 +180,7 @@ TEST(Dispatcher, EngineInfoListsEveryMethod) {
   for (const std::string& name : reported) EXPECT_TRUE(server::methods::HandlerTable{}.find(name)) << name;
 }
 
-TEST(Dispatcher, AFullQueueSaysWhenToRetry) {
+TEST(Dispatcher, AFullQueueReportsWhenToRetry) {
   Gate gate;
   server::calls::Limits limits;
   limits.waiting_motions = 2;

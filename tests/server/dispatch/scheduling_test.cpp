@@ -85,7 +85,7 @@ TEST(Cancelling, CallsThatHaveEndedAreForgotten) {
 
 using namespace std::chrono_literals;
 
-TEST(Deadlines, ReturnTheBestResultSoFarAndSaySo) {
+TEST(Deadlines, ReturnTheBestResultSoFarAndReportIt) {
   Gate gate;  // never opened: only the deadline ends the motion
   LocalServer local{1, gate.methods()};
   (void)local.open_small();
@@ -236,7 +236,7 @@ struct EndlessCheck {
   std::counting_semaphore<> begun{0}, ended{0};
 };
 
-TEST(Reads, QuickOnesDoNotWaitForLongOnes) {
+TEST(Reads, QuickReadsDoNotWaitForLongOnes) {
   EndlessCheck check;
   LocalServer local{1, check.methods()};
   (void)local.open_small();
@@ -279,7 +279,7 @@ TEST(Reads, DoNotWaitForMessagesThatAreParsed) {
   for (auto& sent : parsed) EXPECT_TRUE(Json::parse(sent.get()).contains("result"));
 }
 
-TEST(Reads, LongOnesFailAtTheirDeadlineAndSaySo) {
+TEST(Reads, LongReadsFailAtTheirDeadlineAndReportIt) {
   EndlessCheck check;
   server::calls::Limits limits;
   limits.call = 60s;

@@ -70,7 +70,7 @@ TEST(MotionMethods, AMotionThatThrowsFailsItsCallOnly) {
   }
 }
 
-TEST(MotionMethods, TheErrorOfARefusedMotionSaysWhy) {
+TEST(MotionMethods, TheErrorOfARefusedMotionStatesTheReason) {
   LocalServer local{0, methods_with({"motion.compact"}, [](auto&&...) -> Result<MethodAnswer> {
                       return Error{ErrorCode::kMarkerOverlaps, "pieces low and high overlap", "/pieces/0"};
                     })};

@@ -76,7 +76,7 @@ TEST(LogWriter, WritesLinesInTheirOrder) {
   EXPECT_EQ(writer.dropped(), 0U);
 }
 
-TEST(LogWriter, DropsLinesThatNobodyReadsAndSaysHowMany) {
+TEST(LogWriter, DropsLinesThatNobodyReadsAndReportsHowMany) {
   constexpr std::uint64_t kLines = 10'000;
   Pipe pipe;
   pipe.fill();

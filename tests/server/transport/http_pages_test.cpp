@@ -101,7 +101,7 @@ TEST_F(HttpPages, OtherOriginsMayReadNothing) {
   EXPECT_FALSE(answer_to(post_request("{}", token_)).says("Access-Control"));
 }
 
-TEST_F(HttpPages, OptionsSayWhatIsAllowed) {
+TEST_F(HttpPages, OptionsListsTheAllowedMethods) {
   const auto allow = [&](const std::string& target) {
     const HttpAnswer answer = answer_to(request("OPTIONS " + target));
     EXPECT_EQ(answer.status, 204) << target;

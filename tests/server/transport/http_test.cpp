@@ -116,7 +116,7 @@ TEST_F(Http, ConnectionsAreCountedWhileTheyAreOpen) {
   EXPECT_EQ(server_.counts().accepted, 1U);
 }
 
-TEST_F(Http, ClosesWhenAsked) {
+TEST_F(Http, ClosesOnRequest) {
   Wire wire{server_.port()};
   wire.send(post_request("x", "Connection: close\r\n"));
   const auto answer = wire.answer();

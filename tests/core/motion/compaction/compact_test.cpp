@@ -75,7 +75,7 @@ TEST(Compact, KeepsLockedPiecesToTheUnit) {
   EXPECT_LT(result.length_after, result.length_before);
 }
 
-TEST(Compact, LeavesAMarkerOfLockedPiecesAlone) {
+TEST(Compact, DoesNotChangeAMarkerOfLockedPieces) {
   Marker marker = test::loose_marker(7);
   for (Piece& piece : marker.pieces) piece.locked = true;
   const auto result = compacted(marker);

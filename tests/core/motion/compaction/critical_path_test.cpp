@@ -99,7 +99,7 @@ TEST(CriticalPath, ReportsThePriceOfALock) {
 
 // The price of a lock is a derivative: how much shorter the marker becomes when the locked piece is moved
 // slightly.
-TEST(CriticalPath, ALockCostsWhatMovingThePieceSaves) {
+TEST(CriticalPath, ThePriceOfALockIsTheGainOfMovingThePiece) {
   Layout layout{400'000};
   const auto ramp = layout.shape_of({{0, 0}, {400'000, 0}, {0, 400'000}});
   layout.put(ramp, {0, 0}).put(ramp, {400'000, 400'000}, 180);

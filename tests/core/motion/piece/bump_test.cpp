@@ -25,7 +25,7 @@ Bump bumped(const Marker& marker, std::uint32_t piece, double dx, double dy) {
   return result;
 }
 
-TEST(Bump, GoesStraightToTheEdge) {
+TEST(Bump, MovesStraightToTheEdge) {
   Layout layout{1000};
   layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400});
   EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{0, 400}));
@@ -35,7 +35,7 @@ TEST(Bump, GoesStraightToTheEdge) {
   EXPECT_EQ(bumped(layout.marker(), 0, -1, -1).at, (Vec{0, 0}));
 }
 
-TEST(Bump, SlidesAlongWhatItMeets) {  // down a ramp and on along the floor
+TEST(Bump, SlidesAlongPiecesThatItMeets) {  // down a ramp and on along the floor
   Layout layout{1000};
   const auto ramp = layout.shape_of({{0, 0}, {600, 0}, {0, 600}});
   const auto square = layout.shape_of(test::rectangle(100, 100));
@@ -46,7 +46,7 @@ TEST(Bump, SlidesAlongWhatItMeets) {  // down a ramp and on along the floor
   EXPECT_EQ(bumped(layout.marker(), 2, -1, 0).at, (Vec{0, 600}));  // up the ramp to the strip's left edge
 }
 
-TEST(Bump, GoesRoundACornerThatOnlyTouches) {  // the corner blocks neither way: it must not stop there
+TEST(Bump, MovesAroundACornerThatOnlyTouches) {  // the corner blocks neither way: it must not stop there
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {500, 500}).put(square, {600, 600});  // corner to corner
@@ -112,7 +112,7 @@ double best_small_gain(const Marker& marker, std::uint32_t piece, double ux, dou
   return best;
 }
 
-TEST(Bump, GoesToTheTipOfACleft) {  // of 23 degrees, between two pieces; it once stopped 17 units before the tip
+TEST(Bump, ReachesTheTipOfACleft) {  // of 23 degrees, between two pieces; it once stopped 17 units before the tip
   Marker marker = test::loose_marker(846, 4, 3);
   marker.pieces[4].at = bumped(marker, 4, 0, 1).at;
   EXPECT_LE(best_small_gain(marker, 4, 0, 1, 32), 2);

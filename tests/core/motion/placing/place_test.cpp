@@ -214,7 +214,7 @@ Drop random_drop() {
   return drop;
 }
 
-RC_GTEST_PROP(PlaceLaws, NearestOfAll, ()) {
+RC_GTEST_PROP(PlaceLaws, FindsTheNearestFreePosition, ()) {
   const Drop drop = random_drop();
   const auto found = placed(drop.marker, drop.piece, drop.wanted);
   const double by_trying = nearest_by_trying(drop.marker, drop.piece, drop.wanted, 97);
@@ -224,7 +224,7 @@ RC_GTEST_PROP(PlaceLaws, NearestOfAll, ()) {
   }
 }
 
-RC_GTEST_PROP(PlaceLaws, NoStepComesNearer, ()) {
+RC_GTEST_PROP(PlaceLaws, NoSmallStepLeadsCloser, ()) {
   const Drop drop = random_drop();
   const auto found = placed(drop.marker, drop.piece, drop.wanted);
   if (!found || found->distance <= 8) return;
@@ -239,7 +239,7 @@ RC_GTEST_PROP(PlaceLaws, NoStepComesNearer, ()) {
   }
 }
 
-RC_GTEST_PROP(PlaceLaws, PlacingAgainStays, ()) {
+RC_GTEST_PROP(PlaceLaws, PlacingAgainChangesNothing, ()) {
   const Drop drop = random_drop();
   const auto found = placed(drop.marker, drop.piece, drop.wanted);
   if (!found) return;

@@ -82,7 +82,7 @@ TEST(Separate, ObeysTheSpacing) {
   EXPECT_EQ(result.moved, 15);
 }
 
-TEST(Separate, LeavesAsMuchOverlapAsIsAllowed) {
+TEST(Separate, LeavesTheAllowedOverlap) {
   Marker start = two_squares(10);
   EXPECT_EQ(separated(start).moved, 10);
   start.overlap = 4;

@@ -24,7 +24,7 @@ TEST(Columns, OfPiecesThatFitHaveNoExcess) {
   EXPECT_TRUE(stack.excess().longest.empty());
 }
 
-TEST(Columns, ReachBeyondTheStripByWhatTheirPiecesHaveTooMuch) {
+TEST(Columns, ReachBeyondTheStripByTheExcessOfTheirPieces) {
   Columns stack = columns(100);
   stack.set(0, rectangle({0, 0}, {50, 55}));
   stack.set(1, rectangle({20, 50}, {70, 100}));
