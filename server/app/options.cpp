@@ -54,7 +54,7 @@ void declare_listeners(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_flag("--no-token", raw.no_token,
                "With --behind-proxy: require no token, because the proxy decides who may call");
   app.add_option("--allow-host", options.access.hosts,
-                 "A further host name of this server, for requests without a token; may be repeated");
+                 "Another host name of this server, for requests without a token; may be repeated");
   app.add_option("--allow-origin", options.access.origins,
                  "An origin whose pages may call, such as https://marker.example; may be repeated");
 }
@@ -63,34 +63,35 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  app.add_option(
-         "--real-time", raw.real_time,
-         "Real-time priorities for the threads that all clients wait for. auto, or no value: if the system allows "
-         "them; on: the same, and the log warns if it does not; off: none")
+  app.add_option("--real-time", raw.real_time,
+                 "Real-time priorities for the threads that all clients wait for. auto, or no value: if the system "
+                 "allows them; on: likewise, and the log warns if it does not; off: never")
       ->transform(
           CLI::Transformer(std::map<std::string, std::string>{{"true", "on"}, {"false", "off"}}).description(""))
       ->check(CLI::IsMember({"auto", "on", "off"}))
       ->expected(0, 1)
       ->capture_default_str();
   app.add_option("--memory", raw.memory_mb,
-                 "Memory in MiB for all that clients can make grow, and for the program itself: sums, requests and "
-                 "answers, and with the rest markers, their histories and the answers kept for retries")
+                 "Memory in MiB for everything that clients can make grow and for the program itself: sums, requests "
+                 "and answers; the rest is for markers, their histories and the answers kept for retries")
       ->check(CLI::Range(64, 1 << 24))
       ->capture_default_str();
-  app.add_option("--cache-mb", raw.cache_mb, "Of it for Minkowski sums, in MiB; without it an eighth, at most 256")
+  app.add_option("--cache-mb", raw.cache_mb,
+                 "The part of --memory for Minkowski sums, in MiB; by default an eighth, at most 256")
       ->check(CLI::Range(1, 1 << 20));
-  app.add_option("--max-body-mb", raw.body_mb, "The largest request, in MiB")
+  app.add_option("--max-body-mb", raw.body_mb, "Maximum size of a request, in MiB")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--traffic-mb", raw.traffic_mb,
-                 "Of the --memory for requests that are received or answered, and for answers not yet sent, in MiB; "
-                 "without it a quarter, at most 512")
+                 "The part of --memory for requests being received or answered and for answers not yet sent, in MiB; "
+                 "by default a quarter, at most 512")
       ->check(CLI::Range(1, 1 << 20));
-  app.add_option("--max-connections", options.limits.transport.connections, "Connections open at the same time")
+  app.add_option("--max-connections", options.limits.transport.connections, "Maximum number of open connections")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
-  app.add_option("--max-connections-per-address", raw.connections_per_address,
-                 "Of these, from one address; without it three quarters, or with --behind-proxy all of them")
+  app.add_option(
+         "--max-connections-per-address", raw.connections_per_address,
+         "Maximum number of these from one address; by default three quarters, or with --behind-proxy all of them")
       ->check(CLI::Range(1, 100'000));
   app.add_option(
          "--call-seconds", raw.call_seconds,
@@ -98,10 +99,11 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
       ->check(CLI::Range(1, 86'400))
       ->capture_default_str();
   app.add_option("--store", options.store,
-                 "The file in which markers survive restarts (SQLite); none: they live in memory only")
+                 "The file (SQLite) in which markers survive restarts; without it they are kept in memory only")
       ->default_str("none");
-  app.add_option("--durability", raw.durability,
-                 "full: an acknowledged change survives a power failure; relaxed: any end of the process")
+  app.add_option(
+         "--durability", raw.durability,
+         "full: an acknowledged change survives a power failure; relaxed: it survives only an end of the process")
       ->check(CLI::IsMember({"full", "relaxed"}))
       ->capture_default_str();
   app.add_option("--drain-seconds", raw.drain_seconds, "Time limit for shutting down after SIGTERM or SIGINT")
@@ -114,7 +116,7 @@ void declare_log(CLI::App& app, Options& options, RawOptions& raw) {
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
   app.add_option("--log", options.log.file, "The log file, reopened on SIGHUP; without it the log goes to stderr");
-  app.add_option("--log-format", raw.log_format, "text, or json: an object per line")
+  app.add_option("--log-format", raw.log_format, "text, or json with one object per line")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
 }
