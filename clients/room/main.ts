@@ -19,7 +19,7 @@ import { buildLengthPanel } from "./panels/length_panel";
 import { openMenu } from "./panels/menu";
 import { buildPieceList } from "./panels/pieces/piece_list";
 import { buildPiecePanel, buildSpacing } from "./panels/pieces/piece_panel";
-import { announceFigures, buildStatus, teller } from "./panels/status";
+import { announceFigures, buildStatus, messageDisplay } from "./panels/status";
 import { buildTabs } from "./panels/tabs";
 import { buildLegend, buildToolbar } from "./panels/toolbar";
 import { buildTray } from "./panels/tray";
@@ -41,17 +41,17 @@ const element = <T extends HTMLElement>(id: string) => document.getElementById(i
 const link = new Link();
 const desk = new Desk(link);
 const scene = new Scene();
-const tell = teller(element("toast"));
+const showMessage = messageDisplay(element("toast"));
 const stage = new Stage(element("stage"), element<HTMLCanvasElement>("base"), element<HTMLCanvasElement>("top"), scene);
 const overview = new Overview(element<HTMLCanvasElement>("overview"), scene, stage);
-const engine = new Engine(desk, scene, tell);
+const engine = new Engine(desk, scene, showMessage);
 const insight = new Insight(desk, scene);
 const places = new Places(desk, scene);
-const settling = new Settling(desk, tell);
-const commands = new Commands(desk, scene, engine, settling, tell);
-const pointer = new Pointer(stage.top, stage, scene, desk, engine, places, commands, settling, tell);
-const library = new Library(desk, tell);
-const files = new MarkerFiles(desk, tell, element("dropzone"));
+const settling = new Settling(desk, showMessage);
+const commands = new Commands(desk, scene, engine, settling, showMessage);
+const pointer = new Pointer(stage.top, stage, scene, desk, engine, places, commands, settling, showMessage);
+const library = new Library(desk, showMessage);
+const files = new MarkerFiles(desk, showMessage, element("dropzone"));
 const keepsNothing = new Signal(false);
 
 function buildPage(): void {
@@ -75,7 +75,7 @@ function buildPage(): void {
   buildStatus(element("status"), desk, keepsNothing, legend);
   announceFigures(element("live"), desk);
   askForToken(link);
-  listenForKeys(stage.top, { stage, scene, engine, insight, places, commands, pointer, save: () => files.save(), help: openHelp, tell });
+  listenForKeys(stage.top, { stage, scene, engine, insight, places, commands, pointer, save: () => files.save(), help: openHelp, showMessage });
 }
 
 // Shows the current marker, and every change of it, on the canvas.
@@ -94,7 +94,7 @@ function connectScene(): void {
     overview.renew();
   });
   desk.figures.follow(({ length, valid, revision }) => {
-    if (!engine.preview.value && scene.held.size === 0) scene.length = length;
+    if (!engine.preview.value && scene.dragged.size === 0) scene.length = length;
     scene.opening = desk.opening?.figures.length;
     scene.overlaps = [];
     scene.outside = [];
@@ -105,12 +105,12 @@ function connectScene(): void {
     if (!change) return;
     const from = new Map([...change.before].map(([id, pose]) => [id, scene.shown.get(id) ?? pose]));
     scene.fly(from);
-    if (change.by === "reopened" || change.by === "refreshed") tell(say(change.by === "reopened" ? "reopened" : "reconnected"));
-    else if (change.by === "closed") tell(say("closedElsewhere"));
-    else if (!change.mine) tell(say("changedBy", { what: methodText(change.by), length: lengthText(desk.figures.value.length) }));
+    if (change.by === "reopened" || change.by === "refreshed") showMessage(say(change.by === "reopened" ? "reopened" : "reconnected"));
+    else if (change.by === "closed") showMessage(say("closedElsewhere"));
+    else if (!change.mine) showMessage(say("changedBy", { what: methodText(change.by), length: lengthText(desk.figures.value.length) }));
   });
   follow([desk.draggedByOthers, desk.marker, desk.figures], () => {
-    scene.draggedByOthers = desk.draggedByOthers.value.flatMap(({ piece, at }) => scene.marker?.heldAt(piece, at) ?? []);
+    scene.draggedByOthers = desk.draggedByOthers.value.flatMap(({ piece, at }) => scene.marker?.draggedTo(piece, at) ?? []);
     scene.onChange("moving");
   });
   // While pieces are nested, the view is fitted to the growing marker.

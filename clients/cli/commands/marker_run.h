@@ -25,14 +25,14 @@ enum class Report {
 [[nodiscard]] terminal::ExitCode run_on_marker(std::string_view method, Json params, const MarkerFiles& files,
                                                Report report);
 
-// The same without the report and the files: for a command that reports and writes in a way of its own.
+// The same without the report and the files, for a command that prints and writes its results itself.
 struct MethodRun {
   MarkerFile file;  // the marker that was read
   run::Outcome outcome;
 };
 [[nodiscard]] std::variant<MethodRun, terminal::ExitCode> run_method(std::string_view method, Json params,
                                                                      const MarkerFiles& files, Report report);
-// kCancelled when the run was stopped by the caller, kNotValid when its marker is not valid.
+// kCancelled if the caller stopped the run, kNotValid if the resulting marker is not valid.
 [[nodiscard]] terminal::ExitCode exit_code_of(const run::Outcome& outcome);
 
 }  // namespace selvage::cli::commands

@@ -17,19 +17,19 @@
 
 namespace selvage::cli::commands {
 
-// What the command line says of a marker in place of its file.
+// Values that the command line sets in place of those of the marker's file.
 struct MarkerOverrides {
   std::optional<double> spacing, overlap;                          // in the marker's unit
-  Result<protocol::edits::Cloth> cloth{protocol::edits::Cloth{}};  // an error when the options cannot be read
+  Result<protocol::edits::Cloth> cloth{protocol::edits::Cloth{}};  // an error if the options cannot be read
 };
 
 // Where the marker of a command comes from, where the results go and where the command runs.
 struct MarkerFiles {
   std::string in;
   std::string out, svg, outlines;                     // empty: not written
-  std::optional<protocol::files::FileFormat> format;  // of `out`; none: by its suffix
-  MarkerOverrides overrides;                          // of `in`
-  Overlays overlays;                                  // of `svg`
+  std::optional<protocol::files::FileFormat> format;  // of `out`; if none, its suffix decides
+  MarkerOverrides overrides;                          // for `in`
+  Overlays overlays;                                  // for `svg`
   std::size_t threads{1};                             // of this process
   run::ServerChoice server;
 };
@@ -40,7 +40,7 @@ struct MarkerFiles {
 [[nodiscard]] std::vector<command_line::Option> file_options();
 // --spacing, --overlap, and those of cloth's rules (clients/cli/parameters/cloth_options.h).
 [[nodiscard]] std::vector<command_line::Option> override_options();
-// --time; `what` is returned when it is over.
+// --time; `what` is the kind of result that is returned when the time is over, such as "marker".
 [[nodiscard]] command_line::Option time_option(const std::string& what);
 [[nodiscard]] command_line::Option json_option();
 // --server, --token-file, --trust: options of the program, valid for every command.
@@ -49,16 +49,16 @@ struct MarkerFiles {
 // REQUIRES: the values have the options above; `input_key` is the option that names the marker.
 [[nodiscard]] MarkerFiles marker_files(const command_line::Values& values, const std::string& input_key);
 [[nodiscard]] MarkerOverrides marker_overrides(const command_line::Values& values);
-// The file with what was given in its place.  Errors: its own, and those of with_spacing, with_overlap and with_cloth.
+// Applies the overrides to the file.  Errors: that of `file`, and those of with_spacing, with_overlap and with_cloth.
 [[nodiscard]] Result<MarkerFile> overridden(Result<MarkerFile> file, const MarkerOverrides& by);
 [[nodiscard]] run::ServerChoice server_choice(const command_line::Values& values);
 
-// How many files of results are standard output.
+// The number of result files that are standard output.
 [[nodiscard]] int standard_outputs(const MarkerFiles& files);
-// At most one of them may be, and all must be writable.
+// Checks that at most one of them is standard output, and that all can be written.
 [[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files);
 
-// Before the work: why one of these files cannot be written; empty names count as none.
+// Checks, before the work begins, that these files can be written; empty names are ignored.
 [[nodiscard]] std::optional<terminal::Failure> check_writable(const std::vector<std::string>& paths);
 
 // REQUIRES: `name` is one of protocol::files::kFileFormatNames.

@@ -32,7 +32,7 @@ constexpr Exception kExceptions[] = {
      "A budget in seconds by name: draft is 2 seconds, standard 20, fine 120; not together with --time"},
     {"plan.cut", "overCut", "--over-cut", 100, "How many more garments of a colour and size may be cut, in per cent"},
     {"plan.cut", "underCut", "--under-cut", 100, "How many fewer may be cut, in per cent"},
-    {"plan.cut", "gap", "--gap", 100, "The search ends when cost and bound differ by so many per cent of the cost"},
+    {"plan.cut", "gap", "--gap", 100, "The search ends when cost and bound differ by at most this many per cent"},
 };
 
 const Exception* exception_of(std::string_view method, std::string_view parameter) {

@@ -47,7 +47,7 @@ export class Engine {
   constructor(
     private readonly desk: Desk,
     private readonly scene: Scene,
-    private readonly tell: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
   ) {
     this.preview.follow((result) => this.showPreview(result));
     this.compared.follow(() => this.showCompared());
@@ -59,7 +59,7 @@ export class Engine {
 
   private showPreview(result: Result | undefined): void {
     const marker = this.scene.marker;
-    if (!marker || this.scene.held.size > 0) return;
+    if (!marker || this.scene.dragged.size > 0) return;
     const fits = result && result.markerId === this.desk.markerId;
     this.scene.length = fits ? result.length : this.desk.figures.value.length;
     this.scene.newcomers = fits ? newcomers(marker, result.poses) : [];
@@ -89,9 +89,9 @@ export class Engine {
       for await (const { round, length } of call.progress) this.round(run, round, length, since);
       const result = await call.result;
       const why = failure(result);
-      if (why !== undefined) return this.tell(why);
+      if (why !== undefined) return this.showMessage(why);
       const answer = result as unknown as MotionAnswer;
-      if (answer.placements.length === 0) return this.tell(say("noGain", { what: title }));
+      if (answer.placements.length === 0) return this.showMessage(say("noGain", { what: title }));
       this.offer(title, answer, posesAfter(start, answer.placements), since);
     });
   }
@@ -121,7 +121,7 @@ export class Engine {
           this.offer(title, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
         },
       }, this.desk.link.alone ? "page" : "daemon");
-      if (!this.preview.value) this.tell(say("noGain", { what: title }));
+      if (!this.preview.value) this.showMessage(say("noGain", { what: title }));
     });
   }
 
@@ -143,7 +143,7 @@ export class Engine {
     try {
       await act(run, controller.signal, since);
     } catch (error) {
-      if (!hasCode(error, Code.Cancelled)) this.tell(errorText(error));
+      if (!hasCode(error, Code.Cancelled)) this.showMessage(errorText(error));
     } finally {
       this.run.value = undefined;
     }
@@ -179,9 +179,9 @@ export class Engine {
     const ops = editsTo(marker, result.poses);
     try {
       if (ops.length > 0) await this.desk.apply(ops);
-      this.tell(say("taken", { length: lengthText(this.desk.figures.value.length) }));
+      this.showMessage(say("taken", { length: lengthText(this.desk.figures.value.length) }));
     } catch (error) {
-      this.tell(errorText(error));
+      this.showMessage(errorText(error));
     }
     if (this.preview.value === result) this.preview.value = undefined;
     this.beside.value = this.beside.value.filter((kept) => kept !== result);
@@ -208,7 +208,7 @@ export class Engine {
     if (!result) return;
     if (this.preview.value === result) {
       this.preview.value = undefined;
-      this.tell(say("dropped"));
+      this.showMessage(say("dropped"));
     }
     if (this.compared.value === result) this.compared.value = undefined;
     this.beside.value = this.beside.value.filter((kept) => kept !== result);

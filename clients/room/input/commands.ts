@@ -22,13 +22,13 @@ export class Commands {
     private readonly scene: Scene,
     private readonly engine: Engine,
     private readonly settling: Settling,
-    private readonly tell: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
   ) {}
 
   /** Carries out actions one after another, and shows the message of an action that fails. */
   queue(act: () => Promise<unknown>): Promise<void> {
     const done = this.line.then(() => this.engine.takeOrDrop(true)).then(act);
-    const settled = done.then(() => {}, (error) => this.tell(errorText(error)));
+    const settled = done.then(() => {}, (error) => this.showMessage(errorText(error)));
     this.line = settled;
     return settled;
   }
@@ -48,7 +48,7 @@ export class Commands {
       await this.desk.gesture(async () => {
         for (const piece of pieces) {
           const moved = await this.bumpOne(piece, direction);
-          this.tell(moved > 0 ? say("bumped", { name: piece.shape.label, by: lengthText(moved) }) : say("stays", { name: piece.shape.label }));
+          this.showMessage(moved > 0 ? say("bumped", { name: piece.shape.label, by: lengthText(moved) }) : say("stays", { name: piece.shape.label }));
         }
       });
     });
@@ -83,7 +83,7 @@ export class Commands {
       if (!first) return;
       await this.settling.apply(this.ownMoves([dx * by, dy * by]));
       const { x, y } = first.pose;
-      this.tell(say("nudged", { name: first.shape.label, x: lengthText(x), y: lengthText(y) }));
+      this.showMessage(say("nudged", { name: first.shape.label, x: lengthText(x), y: lengthText(y) }));
     });
   }
 
@@ -95,14 +95,14 @@ export class Commands {
   rotate(steps: 1 | -1): Promise<void> {
     return this.turn((piece) => {
       const rotation = nextRotation(piece, steps);
-      if (rotation === piece.pose.rotation) this.tell(say("notTurned", { name: piece.shape.label }));
+      if (rotation === piece.pose.rotation) this.showMessage(say("notTurned", { name: piece.shape.label }));
       return new Pose(0, 0, rotation, piece.pose.flip, piece.pose.tilt);
     });
   }
 
   flip(): Promise<void> {
     return this.turn((piece) => {
-      if (!piece.shape.mayFlip) this.tell(say("notFlipped", { name: piece.shape.label }));
+      if (!piece.shape.mayFlip) this.showMessage(say("notFlipped", { name: piece.shape.label }));
       return new Pose(0, 0, piece.pose.rotation, piece.pose.flip !== piece.shape.mayFlip, piece.pose.tilt);
     });
   }
@@ -112,7 +112,7 @@ export class Commands {
     this.tilting += steps;
     return this.turn((piece) => {
       const { tiltLimit, label } = piece.shape;
-      if (tiltLimit === 0) this.tell(say("notTilted", { name: label }));
+      if (tiltLimit === 0) this.showMessage(say("notTilted", { name: label }));
       const wanted = Math.round((piece.pose.tilt + this.tilting * TILT_STEP) * 100) / 100;
       return new Pose(0, 0, piece.pose.rotation, piece.pose.flip, Math.min(tiltLimit, Math.max(-tiltLimit, wanted)));
     }, () => (this.tilting = 0));
@@ -143,7 +143,7 @@ export class Commands {
 
   group(): Promise<void> {
     const pieces = this.scene.selected();
-    if (pieces.length < 2) return Promise.resolve(this.tell(say("noGroup")));
+    if (pieces.length < 2) return Promise.resolve(this.showMessage(say("noGroup")));
     const taken = new Set(this.desk.marker.value!.pieces.map((piece) => piece.group));
     let number = 1;
     while (taken.has(`g${number}`)) ++number;
@@ -167,7 +167,7 @@ export class Commands {
       const { rotation, flip } = piece;
       await this.desk.gesture(async () => {
         await this.desk.apply([{ op: "place", piece: id, at: marker.longest === undefined ? beyond : wanted, rotation, flip }]);
-        if (await this.settling.place(id, wanted)) this.tell(say("laidDown", { name: piece.shape.label }));
+        if (await this.settling.place(id, wanted)) this.showMessage(say("laidDown", { name: piece.shape.label }));
         else await this.desk.undo();
       });
       this.scene.select([id]);
@@ -178,7 +178,7 @@ export class Commands {
     return this.queue(async () => {
       const name = this.desk.marker.value?.unplaced.find((one) => one.id === id)?.shape.label;
       if (name === undefined) return;
-      if (await this.settling.apply([{ op: "place", piece: id, at: [x, y], rotation, flip }])) this.tell(say("laidDown", { name }));
+      if (await this.settling.apply([{ op: "place", piece: id, at: [x, y], rotation, flip }])) this.showMessage(say("laidDown", { name }));
     });
   }
   /** Takes the selected pieces off the cloth. */

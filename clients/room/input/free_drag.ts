@@ -7,7 +7,7 @@ import type { Scene } from "../view/scene";
 export class FreeDrag {
   private readonly from: Map<string, Pose>;
   private to: Map<string, Pose>;
-  private readonly held: Set<string>;
+  private readonly dragged: Set<string>;
 
   constructor(
     private readonly scene: Scene,
@@ -17,7 +17,7 @@ export class FreeDrag {
   ) {
     this.from = new Map(pieces.map((piece) => [piece.id, piece.pose]));
     this.to = this.from;
-    this.held = scene.held = new Set(this.from.keys());
+    this.dragged = scene.dragged = new Set(this.from.keys());
     scene.free = true;
     scene.showPoses(new Map(this.from), false);
   }
@@ -29,12 +29,12 @@ export class FreeDrag {
 
   async end(commit: boolean): Promise<void> {
     this.scene.free = false;
-    if (this.scene.held === this.held) this.scene.held = new Set();
+    if (this.scene.dragged === this.dragged) this.scene.dragged = new Set();
     const announcementEnded = this.endAnnouncement();
     if (commit) {
       await announcementEnded; // other users must see the end of the drag before the change
       await this.drop(this.to);
     }
-    if (this.scene.held.size === 0) this.scene.showPoses(new Map(), true);
+    if (this.scene.dragged.size === 0) this.scene.showPoses(new Map(), true);
   }
 }

@@ -26,7 +26,7 @@ export interface Parts {
   pointer: Pointer;
   save(): void;
   help(): void;
-  tell(text: string): void;
+  showMessage(text: string): void;
 }
 
 /** Handles all keys, except in fields and open dialogues. */
@@ -104,11 +104,11 @@ function plain(event: KeyboardEvent, canvas: HTMLElement, parts: Parts): (() => 
 }
 
 // Applies the current tool in the direction of an arrow key.
-function byArrow(way: Point, { engine, scene, tell }: Parts): (() => void) | undefined {
+function byArrow(way: Point, { engine, scene, showMessage }: Parts): (() => void) | undefined {
   const { marker } = scene;
   const chosen = tool.value;
   if (!marker || chosen === "select") return undefined;
-  if (chosen === "ruler") return () => measureTowards(scene, way, tell);
+  if (chosen === "ruler") return () => measureTowards(scene, way, showMessage);
   return () => {
     tool.value = "select";
     void (chosen === "gap" ? openGapTowards(engine, marker, scene.selected(), scene.length, way) : gravity(engine, [0, 0], way));
@@ -116,13 +116,13 @@ function byArrow(way: Point, { engine, scene, tell }: Parts): (() => void) | und
 }
 
 // Measures the selected pieces, or the marker, in the direction of an arrow key, and shows the length.
-function measureTowards(scene: Scene, way: Point, tell: (text: string) => void): void {
+function measureTowards(scene: Scene, way: Point, showMessage: (text: string) => void): void {
   const { left, right, bottom, top } = extentOf(scene.marker!, scene.selected(), scene.length);
   const middle: Point = [(left + right) / 2, (bottom + top) / 2];
   const half: Point = [(way[0] * (right - left)) / 2, (way[1] * (top - bottom)) / 2];
   scene.stroke = { kind: "ruler", from: [middle[0] - half[0], middle[1] - half[1]], to: [middle[0] + half[0], middle[1] + half[1]] };
   scene.onChange("moving");
-  tell(say("measured", { length: lengthText(2 * Math.hypot(...half)) }));
+  showMessage(say("measured", { length: lengthText(2 * Math.hypot(...half)) }));
 }
 
 // While places of an unplaced piece are shown, keys choose among them.

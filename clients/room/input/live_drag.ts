@@ -30,7 +30,7 @@ export class LiveDrag {
   private readonly start: Pose;
   private readonly together: Piece[];
   private readonly from: ReadonlyMap<string, Pose>;
-  private readonly held: Set<string>;
+  private readonly dragged: Set<string>;
   private lost = false;
 
   constructor(
@@ -46,7 +46,7 @@ export class LiveDrag {
     this.wanted = [this.start.x, this.start.y];
     this.together = scene.marker!.together(piece);
     this.from = new Map(this.together.map((one) => [one.id, shown(one)]));
-    this.held = scene.held = new Set(this.from.keys());
+    this.dragged = scene.dragged = new Set(this.from.keys());
     scene.showPoses(new Map([...scene.shown, ...this.from]), false);
     this.begun = before.then(() => this.begin(mode));
   }
@@ -136,7 +136,7 @@ export class LiveDrag {
     if (commit && this.dragId !== undefined && this.sent !== this.wanted) await this.send();
     this.over = true;
     this.scene.wanted = new Map();
-    if (this.scene.held === this.held) this.scene.held = new Set();
+    if (this.scene.dragged === this.dragged) this.scene.dragged = new Set();
     const { dragId } = this;
     try {
       if (dragId === undefined) {
@@ -152,7 +152,7 @@ export class LiveDrag {
       await this.rescue(this.wanted);
     } finally {
       this.scene.length = this.desk.figures.value.length;
-      if (this.scene.held.size === 0) this.scene.showPoses(new Map(), true);
+      if (this.scene.dragged.size === 0) this.scene.showPoses(new Map(), true);
     }
   }
 }

@@ -44,7 +44,7 @@ export class Pointer {
     private readonly places: Places,
     private readonly commands: Commands,
     private readonly settling: Settling,
-    private readonly tell: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
   ) {
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
@@ -147,8 +147,8 @@ export class Pointer {
   private async beginDrag(piece: Piece, from: Point, free: boolean, at: Point): Promise<void> {
     this.doing = undefined;
     const together = this.scene.marker!.together(piece);
-    if (together.some((one) => isLocked(one, "x") && isLocked(one, "y"))) return this.tell(say("locked", { name: piece.shape.label }));
-    if (together.some(({ id }) => this.desk.draggedByOthers.value.some((held) => held.piece === id))) this.tell(say("alsoInOtherHand", { name: piece.shape.label }));
+    if (together.some((one) => isLocked(one, "x") && isLocked(one, "y"))) return this.showMessage(say("locked", { name: piece.shape.label }));
+    if (together.some(({ id }) => this.desk.draggedByOthers.value.some((dragged) => dragged.piece === id))) this.showMessage(say("alsoInOtherHand", { name: piece.shape.label }));
     const several = this.scene.selected().filter((one) => !together.includes(one));
     if (this.engine.preview.value) {
       // The previewed result is taken first; the drag starts from it if the pointer is still down.
@@ -219,7 +219,7 @@ export class Pointer {
     this.doing = undefined;
     const had = doing !== undefined || this.scene.stroke !== undefined;
     this.scene.stroke = undefined;
-    if (doing?.kind === "drag") doing.drag.end(false).catch((error) => this.tell(errorText(error)));
+    if (doing?.kind === "drag") doing.drag.end(false).catch((error) => this.showMessage(errorText(error)));
     this.scene.onChange("moving");
     return had;
   }

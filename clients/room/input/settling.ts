@@ -12,7 +12,7 @@ const MAY_GROW = 0.1; // fraction of its length by which the marker may grow whe
 export class Settling {
   constructor(
     private readonly desk: Desk,
-    private readonly tell: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
   ) {}
 
   /** Applies operations and separates the pieces that then overlap; if that fails, the marker does not change. */
@@ -22,15 +22,15 @@ export class Settling {
       return await this.desk.gesture(async () => {
         const answer = await this.desk.apply(ops);
         if (answer.valid || (await this.separate())) {
-          if (!answer.valid) this.tell(settled);
+          if (!answer.valid) this.showMessage(settled);
           return true;
         }
         await this.desk.undo();
-        this.tell(say("noPlace"));
+        this.showMessage(say("noPlace"));
         return false;
       });
     } catch (error) {
-      this.tell(say("refusedDrop", { why: errorText(error) }));
+      this.showMessage(say("refusedDrop", { why: errorText(error) }));
       return false;
     }
   }
@@ -57,7 +57,7 @@ export class Settling {
     return this.desk.change(async (client) => {
       const answer = await client.call("motion.place", { markerId: this.desk.markerId, piece, to, mayGrow: true });
       if (answer.found) this.desk.absorb({ ...answer, ...after(answer) }, "");
-      this.tell(say(answer.found ? "placed" : "noPlace"));
+      this.showMessage(say(answer.found ? "placed" : "noPlace"));
       return answer.found;
     });
   }

@@ -165,11 +165,11 @@ export class Marker {
   }
 
   /** The piece and those that move together with it, at the poses that they have when the piece's origin is at the point. */
-  heldAt(id: string, [x, y]: Point): Array<{ piece: Piece; pose: Pose }> {
-    const held = this.byId.get(id);
-    if (!held) return [];
-    const [dx, dy] = [x - held.pose.x, y - held.pose.y];
-    return this.together(held).map((piece) => ({ piece, pose: piece.pose.moved(piece.pose.x + dx, piece.pose.y + dy) }));
+  draggedTo(id: string, [x, y]: Point): Array<{ piece: Piece; pose: Pose }> {
+    const dragged = this.byId.get(id);
+    if (!dragged) return [];
+    const [dx, dy] = [x - dragged.pose.x, y - dragged.pose.y];
+    return this.together(dragged).map((piece) => ({ piece, pose: piece.pose.moved(piece.pose.x + dx, piece.pose.y + dy) }));
   }
 
   poses(): Map<string, Pose> {

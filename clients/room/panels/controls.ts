@@ -8,10 +8,10 @@ const endings = new FinalizationRegistry<() => void>((end) => end());
 
 /** Keeps a text or an attribute of an element in the user's language, as long as the element exists. */
 export function worded(element: Element, name: TextName, attribute?: string): void {
-  const held = new WeakRef(element);
+  const reference = new WeakRef(element);
   const end = wording.follow(() => {
-    if (attribute) held.deref()?.setAttribute(attribute, say(name));
-    else held.deref()?.replaceChildren(say(name));
+    if (attribute) reference.deref()?.setAttribute(attribute, say(name));
+    else reference.deref()?.replaceChildren(say(name));
   });
   endings.register(element, end);
 }

@@ -31,7 +31,7 @@ export function buildStatus(host: HTMLElement, desk: Desk, keepsNothing: Signal<
 }
 
 /** Shows short messages over the canvas, which disappear by themselves. */
-export function teller(host: HTMLElement): (text: string) => void {
+export function messageDisplay(host: HTMLElement): (text: string) => void {
   let timer = 0;
   return (text) => {
     setText(host, text);

@@ -15,7 +15,7 @@ export class Library {
 
   constructor(
     private readonly desk: Desk,
-    private readonly tell: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
   ) {
     desk.link.joined.follow((connections) => connections > 0 && void this.newest().catch(() => {}));
   }
@@ -36,7 +36,7 @@ export class Library {
       const client = await this.desk.link.ready();
       const { name, id, added } = await client.call("library.add", { markerId: this.desk.markerId });
       await this.newest();
-      this.tell(say(added ? "stored" : "storedAlready", { name: name || id }));
+      this.showMessage(say(added ? "stored" : "storedAlready", { name: name || id }));
     });
 
   /** Opens a copy of a stored marker, so that editing it does not change the library. */
@@ -51,7 +51,7 @@ export class Library {
     try {
       await act();
     } catch (error) {
-      this.tell(errorText(error));
+      this.showMessage(errorText(error));
     }
   }
 }

@@ -17,7 +17,7 @@ export const WRITTEN = {
 export class MarkerFiles {
   constructor(
     private readonly desk: Desk,
-    private readonly tell: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
     private readonly dropzone: HTMLElement,
   ) {
     addEventListener("dragover", (event) => {
@@ -51,7 +51,7 @@ export class MarkerFiles {
         const { pieces, unplaced = 0, notes } = await this.desk.open(marker, besides);
         const [first] = notes;
         const values = { name, pieces: pieces + unplaced, count: notes.length, note: first?.text ?? "" };
-        this.tell(say(first ? "openedNotes" : "opened", values));
+        this.showMessage(say(first ? "openedNotes" : "opened", values));
       }
     });
   }
@@ -109,7 +109,7 @@ export class MarkerFiles {
     try {
       await act();
     } catch (error) {
-      this.tell(errorText(error));
+      this.showMessage(errorText(error));
     }
   }
 }

@@ -127,12 +127,12 @@ export function paintGhosts(brush: Brush, scene: Scene): void {
 export function paintOverlaps(brush: Brush, scene: Scene, now: number): void {
   const { context, camera, colours } = brush;
   const marker = scene.marker!;
-  const held = [...scene.held].flatMap((id) => marker.byId.get(id) ?? []);
-  for (const piece of scene.free ? held : []) {
+  const dragged = [...scene.dragged].flatMap((id) => marker.byId.get(id) ?? []);
+  for (const piece of scene.free ? dragged : []) {
     const pose = scene.poseOf(piece, now);
     const box = pose.boxOf(piece.shape);
     for (const other of marker.pieces) {
-      if (scene.held.has(other.id)) continue;
+      if (scene.dragged.has(other.id)) continue;
       const { left, right, bottom, top } = other.box;
       if (right <= box.left || left >= box.right || top <= box.bottom || bottom >= box.top) continue;
       context.save();
@@ -175,7 +175,7 @@ export function paintTiltWorth({ context, camera, ratio, colours }: Brush, scene
   const [only, ...others] = scene.selected();
   if (!only || others.length > 0 || only.shape.tiltLimit === 0) return;
   const worth = scene.tilts.find((tilt) => tilt.piece === only.id)?.perDegree;
-  if (worth === undefined || scene.held.size > 0) return;
+  if (worth === undefined || scene.dragged.size > 0) return;
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   const { spot } = only.shape;
   const [x, y] = camera.toScreen(scene.poseOf(only, now).place([spot.x, spot.y]));

@@ -28,7 +28,7 @@ export class Scene {
   /** Poses that are shown instead of the committed ones, during a drag or for a previewed result. */
   shown = new Map<string, Pose>();
   /** The dragged pieces, and the poses that the pointer requests for them. */
-  held = new Set<string>();
+  dragged = new Set<string>();
   wanted = new Map<string, Pose>();
   free = false; // whether the dragged pieces may overlap others; overlaps are then drawn
   hovered: string | undefined;
@@ -100,10 +100,10 @@ export class Scene {
   }
   /** Whether a piece is drawn on the upper layer. */
   moves(id: string): boolean {
-    return this.shown.has(id) || this.flights.has(id) || this.held.has(id);
+    return this.shown.has(id) || this.flights.has(id) || this.dragged.has(id);
   }
   movingIds(): Set<string> {
-    return new Set([...this.shown.keys(), ...this.flights.keys(), ...this.held]);
+    return new Set([...this.shown.keys(), ...this.flights.keys(), ...this.dragged]);
   }
 
   /** Animates pieces from their earlier poses to their current ones. Large changes are shown at once. */
@@ -112,7 +112,7 @@ export class Scene {
     const start = performance.now();
     for (const [id, from] of before) {
       const piece = this.marker?.byId.get(id);
-      if (piece && !this.held.has(id) && !from.equals(this.shown.get(id) ?? piece.pose)) this.flights.set(id, { from, start });
+      if (piece && !this.dragged.has(id) && !from.equals(this.shown.get(id) ?? piece.pose)) this.flights.set(id, { from, start });
     }
     this.onChange("settled");
   }

@@ -200,7 +200,7 @@ export class Stage {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, this.top.width, this.top.height);
     const moving = [...ids].flatMap((id) => scene.marker!.byId.get(id) ?? []);
-    moving.sort((a, b) => Number(scene.held.has(a.id)) - Number(scene.held.has(b.id)) || a.index - b.index);
+    moving.sort((a, b) => Number(scene.dragged.has(a.id)) - Number(scene.dragged.has(b.id)) || a.index - b.index);
     for (const piece of moving) paintPiece(brush, piece, scene.poseOf(piece, now), scene.colouring.value);
     for (const piece of moving) paintLabel(brush, piece, scene.poseOf(piece, now), preferences.value.labels);
     paintMatchPoints(brush, moving, (piece) => scene.poseOf(piece, now));
