@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/marker/placed_pieces.h"
+#include "core/marker/validity.h"
 #include "core/model/ties.h"
 #include "core/motion/compaction/compact.h"
 
@@ -40,6 +41,13 @@ Marker in_a_row(const Marker& start) {
 }
 
 }  // namespace
+
+std::optional<Marker> rough_layout(const Marker& start) {
+  if (is_valid(start)) return start;
+  Marker row = in_a_row(start);
+  if (is_valid(row)) return row;
+  return std::nullopt;
+}
 
 std::optional<Marker> first_layout(const Marker& start, const scene::Run& run) {
   const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);

@@ -1,5 +1,4 @@
-// A valid layout to begin with: the marker as it is, when it is valid or nearly so, or else its pieces one after
-// another along the strip; either of them compacted.
+// Valid layouts to begin with: the marker as it is, or else its pieces one after another along the strip.
 #pragma once
 
 #include <optional>
@@ -9,7 +8,11 @@
 
 namespace selvage::packing {
 
-// Nothing when the cloth is too short for the pieces in a row, or fixed pieces overlap.
+// One of the two that is valid without being changed; nothing when neither is.
+[[nodiscard]] std::optional<Marker> rough_layout(const Marker& start);
+
+// The marker, also when it is only nearly valid, or else the row; compacted.  Nothing when the cloth is too short for
+// the pieces in a row, or fixed pieces overlap.
 [[nodiscard]] std::optional<Marker> first_layout(const Marker& start, const scene::Run& run);
 
 }  // namespace selvage::packing

@@ -18,8 +18,8 @@ namespace selvage::packing {
 namespace {
 
 constexpr double kLeastGap = 8;                  // lattice units: rounding lengthens a layout by about as much
-constexpr double kFirstStep = 0.01;              // the first ceiling above the area's bound, a part of it
-constexpr double kLaterSteps = 0.03;             // each further ceiling above the last
+constexpr double kFirstStep = 0.02;              // the first ceiling above the area's bound, a part of it
+constexpr double kLaterSteps = 0.05;             // each further ceiling above the last
 constexpr std::uint64_t kBriefNodes = 5'000;     // of a search that needs more, the best layout is nested first
 constexpr std::uint64_t kMovesOfAPiece = 1'000;  // the budget of that nesting
 
@@ -34,7 +34,11 @@ class Packer {
   Packing pack() {
     const marker::PlacedPieces pieces{start_};
     packing_.length_before = packing_.length_after = pieces.length();
-    if (auto first = first_layout(start_, run_)) keep(*std::move(first));
+    if (auto rough = rough_layout(start_)) {
+      keep(*std::move(rough));
+    } else {
+      compact_first();
+    }
     const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
     const double longest = best_ ? static_cast<double>(packing_.length_after) - gap_ : limit;
     bodies::Bodies bodies = bodies_of(start_, freedom(longest), run_);
@@ -48,6 +52,7 @@ class Packer {
       packing_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
       packing_.bound = static_cast<Coord>(bound);
     }
+    if (packing_.reason != scene::StopReason::kConverged) compact_first();
     packing_.found = best_.has_value();
     packing_.marker = best_ ? *std::move(best_) : start_;
     return std::move(packing_);
@@ -105,9 +110,17 @@ class Packer {
     packing_.proved = complete && (best_ ? left <= 2 * gap_ : !undecided_);
   }
 
+  // Takes a compacted first layout where no shorter one is known: most searches are over before they need it.
+  void compact_first() {
+    if (std::exchange(compacted_, true)) return;
+    auto first = first_layout(start_, run_);
+    if (first && (!best_ || length_of(*first) < packing_.length_after)) keep(*std::move(first));
+  }
+
   // A shorter layout to beat, from the best that is known: without one, a search that does not end has nothing to show.
   void nest_best() {
     nested_ = true;
+    compact_first();
     // Nesting chooses among all orientations of a shape, without a tilt; the search may not have that choice.
     const auto same_choice = [this](const Piece& piece) {
       const Shape& shape = start_.shapes[piece.shape.value];
@@ -171,7 +184,7 @@ class Packer {
   double gap_;  // lattice units
   std::optional<Marker> best_;
   bool undecided_{};
-  bool nested_{};
+  bool compacted_{}, nested_{};
   Packing packing_;
 };
 

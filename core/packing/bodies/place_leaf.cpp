@@ -11,6 +11,7 @@
 #include "core/marker/clearance.h"
 #include "core/model/snap.h"
 #include "core/motion/repair/repair.h"
+#include "core/packing/bodies/lattice_point.h"
 #include "core/scene/scene.h"
 
 namespace selvage::packing::bodies {
@@ -27,8 +28,6 @@ constexpr double kTolerance = 1e-13;  // of the program, in widths: a small part
 constexpr double kReach = 1e-4;
 constexpr double kLeastReach = 64;
 
-// Lattice points around a body are tried in squares with so many points on a side, so many times.
-constexpr int kLatticeSide = 5;
 constexpr int kLatticeSweeps = 3;
 
 // The room that contacts are given when nothing else helps: `part` of the spacing and so many lattice units.  Rings
@@ -132,39 +131,30 @@ std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
   return whole;
 }
 
-// By how much a body's lattice position violates the lines of the leaf, while the others lie where they do.
-double violation_of(const branching::Leaf& leaf, const std::vector<RealVec>& positions, std::uint32_t body) {
+// Where a body may lie while the others stay, by the lines of the leaf.
+std::vector<cells::HalfPlane> planes_of(const branching::Leaf& leaf, const std::vector<RealVec>& positions,
+                                        std::uint32_t body) {
   const auto at = [&](std::uint32_t other) { return other == positions.size() ? RealVec{} : positions[other]; };
-  double sum = 0;
+  std::vector<cells::HalfPlane> planes;
   for (const Row& row : leaf.rows) {
-    if (row.first != body && row.second != body) continue;
-    const RealVec first = at(row.first);
-    const RealVec second = at(row.second);
-    sum += std::max(0.0, -row.plane.room({second.x - first.x, second.y - first.y}));
+    const cells::HalfPlane& plane = row.plane;
+    if (row.second == body) planes.push_back({plane.nx, plane.ny, plane.room(at(row.first)) + 2 * plane.c});
+    if (row.first == body) planes.push_back({-plane.nx, -plane.ny, -plane.room(at(row.second))});
   }
-  return sum;
+  return planes;
 }
 
-// Moves one body after another to the lattice point nearby at which it violates the lines least.  Where a body has no
-// room to speak of, most of the points around the solution are no layouts.
+// Moves bodies that violate a line to lattice points nearby that violate none, one after another.
 void step_on_lattice(const Bodies& bodies, const branching::Leaf& leaf, std::vector<RealVec>& positions) {
-  for (int sweep = 0; sweep < kLatticeSweeps; ++sweep) {
+  bool any = true;
+  for (int sweep = 0; sweep < kLatticeSweeps && any; ++sweep) {
+    any = false;
     for (std::uint32_t body = 0; body < positions.size(); ++body) {
-      const RealBox& range = bodies.problem.bodies[body].variants[leaf.variant[body]].range;
-      const RealVec middle = positions[body];
-      double least = violation_of(leaf, positions, body);
-      RealVec best = middle;
-      for (int k = 0; k < kLatticeSide * kLatticeSide && least > 0; ++k) {
-        const RealVec at{middle.x + k % kLatticeSide - kLatticeSide / 2,
-                         middle.y + k / kLatticeSide - kLatticeSide / 2};
-        if (at.x < range.low_x || at.x > range.high_x || at.y < range.low_y || at.y > range.high_y) continue;
-        positions[body] = at;
-        const double violation = violation_of(leaf, positions, body);
-        if (violation >= least) continue;
-        least = violation;
-        best = at;
-      }
-      positions[body] = best;
+      const auto& range = bodies.problem.bodies[body].variants[leaf.variant[body]].range;
+      const auto point = lattice_point_near(positions[body], planes_of(leaf, positions, body), range);
+      if (!point || (point->x == positions[body].x && point->y == positions[body].y)) continue;
+      positions[body] = *point;
+      any = true;
     }
   }
 }
