@@ -66,12 +66,16 @@ RealBox around(RealVec point, const RealBox& range) {
 }
 
 // The leaf's program with exact lines.
-Dictionary program_of(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns, bool margins) {
+struct ProgramKind {
+  bool near{};     // bodies stay near the solution
+  bool margins{};  // slanted contacts get their margins
+};
+Dictionary program_of(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns, ProgramKind kind) {
   const std::uint32_t world = bodies.problem.world();
   Dictionary program{columns, bodies.problem.minimises_length};
   for (std::uint32_t body = 0; body < world; ++body) {
     const branching::BodyVariant& variant = bodies.problem.bodies[body].variants[leaf.variant[body]];
-    const RealBox range = around(leaf.positions[body], variant.range);
+    const RealBox range = kind.near ? around(leaf.positions[body], variant.range) : variant.range;
     program.add(columns, {body, world, false, {1, 0, -range.high_x}});
     program.add(columns, {body, world, false, {0, 1, -range.high_y}});
     program.add(columns, {world, body, false, {1, 0, range.low_x}});
@@ -79,15 +83,15 @@ Dictionary program_of(const Bodies& bodies, const branching::Leaf& leaf, const C
     if (bodies.problem.minimises_length) program.add(columns, {body, body, true, {1, 0, variant.width}});
   }
   for (Row row : leaf.rows) {
-    if (margins) row.plane.c += margin_of(row.plane);
+    if (kind.margins) row.plane.c += margin_of(row.plane);
     program.add(columns, row);
   }
   return program;
 }
 
 std::optional<std::vector<RealVec>> solved(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns,
-                                           bool margins) {
-  Dictionary program = program_of(bodies, leaf, columns, margins);
+                                           ProgramKind kind) {
+  Dictionary program = program_of(bodies, leaf, columns, kind);
   if (!has_solution(program, columns)) return std::nullopt;
   return positions_in(program, columns);
 }
@@ -106,7 +110,7 @@ double room_in(const Dictionary& program, const Columns& columns, const Row& row
 // it are given it one after another, as far as there is a solution.
 std::optional<std::vector<RealVec>> with_room(const Bodies& bodies, const branching::Leaf& leaf, const Columns& columns,
                                               double room) {
-  Dictionary program = program_of(bodies, leaf, columns, false);
+  Dictionary program = program_of(bodies, leaf, columns, {});
   if (!has_solution(program, columns)) return std::nullopt;
   std::vector<bool> tried(leaf.rows.size());
   for (bool any = true; any;) {
@@ -216,8 +220,8 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
     return proved;
   };
   if (attempt(leaf.positions)) return true;
-  for (const bool margins : {true, false}) {
-    const auto positions = solved(bodies, leaf, columns, margins);
+  for (const ProgramKind kind : {ProgramKind{true, true}, {true, false}, {false, true}, {false, false}}) {
+    const auto positions = solved(bodies, leaf, columns, kind);
     if (!positions) continue;
     std::vector<RealVec> whole = snapped_to_lattice(*positions);
     if (attempt(whole) || attempt(*positions)) return true;
