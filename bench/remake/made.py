@@ -96,9 +96,9 @@ def mix_from_nothing(options, seed):
         kept.parent.mkdir(exist_ok=True)
         order, out = order_file(options, "charlie_04g", "mixed", 0, seed), options.kept / "mix.json"
         begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        told = run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MIX_MOVES, "--json", "-o", out)
+        output = run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MIX_MOVES, "--json", "-o", out)
         seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
-        kept.write_text(json.dumps({"utilisation": json.loads(told)["utilisation_after"], "seconds": seconds}), "utf-8")
+        kept.write_text(json.dumps({"utilisation": json.loads(output)["utilisation_after"], "seconds": seconds}), "utf-8")
     return json.loads(kept.read_text("utf-8"))
 
 

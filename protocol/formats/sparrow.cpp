@@ -173,11 +173,11 @@ double in_degrees(double radians) {
 // that the file states separately is taken exactly if the rotation agrees with it, because their sum was rounded.
 void settle_rotation(Orientation& orientation, const Shape& shape) {
   const double degrees = orientation.rotation.degrees;
-  const Angle told = std::exchange(orientation.tilt, {});
+  const Angle stated = std::exchange(orientation.tilt, {});
   const double slack = shape.tilt_limit.degrees > 0 ? kTiltSlack : kAngleSlack;
-  const auto untilted = matching_rotation(degrees - told.degrees, shape.rotations, kAngleSlack);
-  if (told.degrees != 0 && untilted) {
-    orientation = {.rotation = *untilted, .tilt = told};
+  const auto untilted = matching_rotation(degrees - stated.degrees, shape.rotations, kAngleSlack);
+  if (stated.degrees != 0 && untilted) {
+    orientation = {.rotation = *untilted, .tilt = stated};
   } else if (const auto exact = matching_rotation(degrees, shape.rotations, slack)) {
     orientation.rotation = *exact;
   } else if (const auto near = matching_rotation(degrees, shape.rotations, shape.tilt_limit.degrees)) {

@@ -97,8 +97,8 @@ class DrainWatchdog {
   std::jthread thread_;
 };
 
-// Says where the daemon listens as soon as it answers calls.  If it never will, or nobody can be told, asks the process
-// to stop, and throws what went wrong.
+// Reports where the daemon listens as soon as it answers calls.  If it cannot, or the report cannot be written, asks
+// the process to stop and throws the error.
 void announce(const Options& options, Daemon& daemon) {
   try {
     if (!daemon.wait_until_loaded()) return;
@@ -130,7 +130,7 @@ int serve(const Options& options) {
   const sigset_t signals = block_signals();
   choose_priorities(options);
   Daemon daemon{options};
-  // Beside waiting for signals, so that one of them can end the loading.
+  // Runs while this thread waits for signals, so that a signal can end the loading.
   std::future<void> announced = std::async(std::launch::async, [&] { announce(options, daemon); });
   const int signal = wait_to_stop(signals, options, daemon);
   if (announced.wait_for(std::chrono::seconds{0}) == std::future_status::ready) announced.get();

@@ -87,7 +87,7 @@ calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParam
   drag->mode = params.mode;
   drag->at = at;
   drags_.emplace(id, drag);
-  tell_watchers(*drag);
+  notify_watchers(*drag);
   lock.unlock();
   drag->on_gone.emplace(session->gone, [this, id] { abandon(id); });
   return protocol::schema::encode(result);
@@ -101,7 +101,7 @@ void DragSessions::abandon(std::string id) {
     if (found == drags_.end()) return;
     drag = std::move(found->second);
     drags_.erase(found);
-    tell_watchers(*drag);
+    notify_watchers(*drag);
   }
   // Freed by a worker: this may be the last reference to its revision, and freeing the many pieces of a revision would
   // block the I/O thread for some tenths of a millisecond.
@@ -129,12 +129,12 @@ std::string DragSessions::dragged_message(const std::string& marker, std::uint64
   return protocol::json::to_text(protocol::rpc::notification("marker.dragged", protocol::schema::encode(now)));
 }
 
-void DragSessions::tell_watchers(const Drag& drag) const {
+void DragSessions::notify_watchers(const Drag& drag) const {
   watchers_.notify_others(drag.marker_id, drag.session->id,
                           [&](std::uint64_t session) { return dragged_message(drag.marker_id, session); });
 }
 
-void DragSessions::tell(const std::string& marker, const transport::access::Session& session) const {
+void DragSessions::notify(const std::string& marker, const transport::access::Session& session) const {
   const std::lock_guard lock{mutex_};
   if (others_drag(marker, session.id)) session.notify(dragged_message(marker, session.id));
 }
@@ -190,7 +190,7 @@ void DragSessions::execute_waiting_move(Drag& drag, const std::stop_token& stop)
   {
     const std::lock_guard lock{mutex_};
     drag.at = drag.latest->pieces[drag.piece.value].at;
-    if (drags_.contains(drag.id)) tell_watchers(drag);
+    if (drags_.contains(drag.id)) notify_watchers(drag);
   }
   move->call->answer(protocol::schema::encode(result));
 }
@@ -214,14 +214,14 @@ void DragSessions::end(const protocol::methods::dragging::EndParams& params,
   {
     const std::lock_guard lock{mutex_};
     if (drags_.erase(drag->id) == 0) return call->answer(unknown_drag(drag->id));
-    tell_watchers(*drag);
+    notify_watchers(*drag);
   }
   const jobs::Admission admission = queue_.submit(job);
   if (admission == jobs::Admission::kAccepted) return;
   {
     const std::lock_guard lock{mutex_};
     drags_.emplace(drag->id, drag);
-    tell_watchers(*drag);
+    notify_watchers(*drag);
   }
   call->answer(calls::not_admitted(admission, queue_, kBusy));
 }

@@ -47,7 +47,7 @@ class DragSessions {
   void end(const protocol::methods::dragging::EndParams& params, const std::shared_ptr<calls::OpenCall>& call);
   [[nodiscard]] std::size_t count() const;
   // Notifies a connection that begins to watch a marker which pieces others drag, if there are any.
-  void tell(const std::string& marker, const transport::access::Session& session) const;
+  void notify(const std::string& marker, const transport::access::Session& session) const;
 
  private:
   struct WaitingMove {
@@ -64,7 +64,7 @@ class DragSessions {
   void abandon(std::string id);
   // The functions below REQUIRE that the caller holds the mutex: so that notifications are sent in the order of the
   // events that they report.
-  void tell_watchers(const Drag& drag) const;
+  void notify_watchers(const Drag& drag) const;
   [[nodiscard]] std::string dragged_message(const std::string& marker, std::uint64_t session) const;
   [[nodiscard]] bool others_drag(const std::string& marker, std::uint64_t session) const;
   [[nodiscard]] calls::Outcome finish(Drag& drag, const protocol::methods::dragging::EndParams& params,

@@ -20,7 +20,7 @@ calls::Outcome watch(const MarkerIdParams& params, const ServerContext& server, 
     (void)server.watchers.unwatch(id, session->id);
     return calls::unknown_marker(server.store, id);
   }
-  server.drags.tell(id, *session);
+  server.drags.notify(id, *session);
   return protocol::schema::encode(WatchResult{{id, now->revision}});
 }
 

@@ -33,22 +33,22 @@ def python_name(method):
     return OTHERWISE.get(method) or conversion.snake(method.split(".")[1])
 
 
-def differences(expected, told, where=""):
+def differences(expected, actual, where=""):
     """The paths at which a typed result differs from the expected JSON.  Fields that are not expected must be None or empty."""
     if expected == "$any":
         return []
-    if dataclasses.is_dataclass(told):
-        fields = {conversion.camel(field.name): getattr(told, field.name) for field in dataclasses.fields(told)}
+    if dataclasses.is_dataclass(actual):
+        fields = {conversion.camel(field.name): getattr(actual, field.name) for field in dataclasses.fields(actual)}
         missing = [f"{where}/{name}" for name in expected if name not in fields]
         extra = [f"{where}/{name}" for name, value in fields.items() if value and name not in expected]
         return missing + extra + [
             fault for name in expected if name in fields for fault in differences(expected[name], fields[name], f"{where}/{name}")
         ]
     if isinstance(expected, list):
-        if len(expected) != len(told):
+        if len(expected) != len(actual):
             return [where]
-        return [f for i, pair in enumerate(zip(expected, told)) for f in differences(*pair, f"{where}/{i}")]
-    return [] if expected == told else [where]
+        return [f for i, pair in enumerate(zip(expected, actual)) for f in differences(*pair, f"{where}/{i}")]
+    return [] if expected == actual else [where]
 
 
 class Typed(unittest.TestCase):
@@ -197,9 +197,9 @@ class Ends(unittest.TestCase):
         with LiveDaemon(SELVAGED) as daemon, selvage_client.Client(daemon.address) as client:
             marker = client.open(ROOT / "examples" / "markers" / "jeans_06g.json")
 
-            def stop(told):
+            def stop(round):
                 self.assertIs(threading.current_thread(), threading.main_thread())
-                raise ZeroDivisionError(told.round)
+                raise ZeroDivisionError(round.round)
 
             with self.assertRaises(ZeroDivisionError):
                 marker.compact(accuracy="fine", progress=stop)

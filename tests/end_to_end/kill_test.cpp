@@ -133,8 +133,8 @@ class Killed : public ::testing::Test {
 };
 
 int wanted_runs() {
-  const char* told = std::getenv(kRunsFrom.data());
-  return told ? std::stoi(told) : kRuns;
+  const char* given = std::getenv(kRunsFrom.data());
+  return given ? std::stoi(given) : kRuns;
 }
 
 TEST_F(Killed, NothingAcknowledgedIsLost) {

@@ -29,7 +29,7 @@ cp examples/markers/jeans_02g.json "$root/tmp"
 inside selvage compact /tmp/jeans_02g.json -o /tmp/out.json > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 inside selvage check /tmp/out.json | grep -q 'valid$' || fail "the installed command's marker"
 for file in usr/share/man/man1/selvage.1.gz usr/share/bash-completion/completions/selvage; do
-  # minbase leaves documentation out when its dpkg is told to
+  # minbase leaves documentation out if dpkg is configured so
   inside dpkg -L selvage | grep -qx "/$file" || fail "$file is not in the package"
 done
 

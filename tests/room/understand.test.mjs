@@ -144,16 +144,16 @@ test("selvedges, the fold, bands and shades are drawn, and a piece's rules are l
   assert.notEqual(await colourAt(page, [120, 6]), cloth, "the lower selvedge");
   assert.notEqual(await colourAt(page, [120, 95]), cloth, "the upper selvedge");
   await page.click("#tab-pieces");
-  const told = async (piece, words) => {
+  const listsRules = async (piece, words) => {
     const [x, y] = await spot(page, piece);
     await page.drag([x, y], [x, y]);
     await page.until(`document.querySelector("#piece-rules summary").textContent.includes(${JSON.stringify(words)})`, words);
   };
   const before = await shows(page, "#top");
-  await told("folded", "On the fold");
-  await told("banded", "From 50.0 mm · Up to 130.0 mm");
+  await listsRules("folded", "On the fold");
+  await listsRules("banded", "From 50.0 mm · Up to 130.0 mm");
   assert.notEqual(await shows(page, "#top"), before, "the room that its rules leave");
-  await told("one", "Shade A");
+  await listsRules("one", "Shade A");
 }));
 
 test("a piece outside of its room makes the marker invalid and is marked", onMarker({ ...squares(2), strip: { width: 100, below: 12 } }, async (page) => {

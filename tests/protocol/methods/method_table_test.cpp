@@ -217,9 +217,9 @@ TEST(OpenGap, ReportsTheAreaBeforeAndAfter) {
 }
 
 TEST(Regions, AreListedWithTheirAdjacentPieces) {
-  const auto told = ran("marker.regions", test::native_squares(), json(R"({"clearance":0.1})"));
-  ASSERT_TRUE(told.answer);
-  const Json& regions = told.answer->fields["regions"];
+  const auto listed = ran("marker.regions", test::native_squares(), json(R"({"clearance":0.1})"));
+  ASSERT_TRUE(listed.answer);
+  const Json& regions = listed.answer->fields["regions"];
   ASSERT_EQ(regions.size(), 1u);
   EXPECT_NEAR(regions[0]["area"].get<double>(), 90 * 100 - 2 * 40 * 40, 60);
   EXPECT_EQ(regions[0]["around"], json(R"(["left","right"])"));

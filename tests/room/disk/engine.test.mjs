@@ -19,18 +19,18 @@ const program = await WebAssembly.compile(readFileSync(process.env.ENGINE));
 /** A new engine: a function that answers a message, with the notifications before the answer. */
 async function begin() {
   let engine;
-  let told = [];
-  const send = (at, bytes) => void told.push(JSON.parse(new TextDecoder().decode(new Uint8Array(engine.memory.buffer, at, bytes))));
+  let messages = [];
+  const send = (at, bytes) => void messages.push(JSON.parse(new TextDecoder().decode(new Uint8Array(engine.memory.buffer, at, bytes))));
   const log = (text) => console.log(text);
   engine = (await WebAssembly.instantiate(program, { wasi_snapshot_preview1: systemCalls(() => engine.memory, log), page: { send } })).exports;
   engine._initialize();
   return (message) => {
-    told = [];
+    messages = [];
     const text = new TextEncoder().encode(JSON.stringify(message));
     const at = engine.allocate(text.length);
     new Uint8Array(engine.memory.buffer, at, text.length).set(text);
     engine.receive(at, text.length);
-    return told;
+    return messages;
   };
 }
 
@@ -49,8 +49,8 @@ for (const name of readdirSync(folder).filter((file) => file.endsWith(".json")))
     const call = await begin();
     let count = 0;
     for (const { request, response } of JSON.parse(readFileSync(new URL(name, folder), "utf8"))) {
-      const told = call(request);
-      const answer = told.find((message) => !("method" in message));
+      const messages = call(request);
+      const answer = messages.find((message) => !("method" in message));
       if (same) assert.ok(alike(response, answer), `${JSON.stringify(request)}\nexpected ${JSON.stringify(response)}\nanswered ${JSON.stringify(answer)}`);
       else if (response?.error) assert.equal(answer.error?.code, response.error.code, JSON.stringify(request));
       else if (response !== undefined) assert.ok(answer.result && answer.result.valid === response.result.valid, JSON.stringify(answer));
@@ -65,9 +65,9 @@ test("a deadline ends a search, and progress is reported while it runs", async (
   const marker = JSON.parse(readFileSync(here("../../../examples/markers/jeans_02g.json"), "utf8"));
   call({ jsonrpc: "2.0", id: 1, method: "marker.open", params: { marker } });
   const since = performance.now();
-  const told = call({ jsonrpc: "2.0", id: 2, method: "motion.compact", params: { markerId: "m1", accuracy: "fine", deadlineMs: 400, progressToken: "p" } });
+  const messages = call({ jsonrpc: "2.0", id: 2, method: "motion.compact", params: { markerId: "m1", accuracy: "fine", deadlineMs: 400, progressToken: "p" } });
   assert.ok(performance.now() - since < 20_000);
-  assert.equal(told.at(-1).result.stop, "deadline");
-  assert.ok(told.some(({ method }) => method === "$/progress"));
-  assert.equal(told.at(-1).result.valid, true);
+  assert.equal(messages.at(-1).result.stop, "deadline");
+  assert.ok(messages.some(({ method }) => method === "$/progress"));
+  assert.equal(messages.at(-1).result.valid, true);
 });
