@@ -62,7 +62,7 @@ CompactionVerdict judged_compaction(const Marker& start, SumCache& sums) {
   const auto sweeps = motion::baseline::compact_one_at_a_time(start, {}, {sums});
   if (!sweeps) return {.fault = "sweeps failed: " + sweeps.error().message};
   verdict.beyond_sweeps = -part_gained(sweeps->length_after, done->length_after);
-  if (verdict.beyond_sweeps > kWorthTelling) verdict.fault = "longer than sweeps of single pieces leave it";
+  if (verdict.beyond_sweeps > kSignificant) verdict.fault = "longer than after sweeps of single pieces";
   if (const auto again = compacted(done->marker, sums)) {
     verdict.second_gain = part_gained(done->length_after, again->length_after);
   }

@@ -9,7 +9,7 @@
 
 namespace selvage::test {
 
-inline constexpr double kWorthTelling = 1e-4;  // part of the length: 0.01 %
+inline constexpr double kSignificant = 1e-4;  // fraction of the length: 0.01 %
 
 struct CompactionVerdict {
   std::string fault;       // the violated law; empty when there is none
@@ -19,7 +19,7 @@ struct CompactionVerdict {
 };
 
 // Laws.  (1) The answer of accuracy `standard` is valid.  (2) It is no longer than that of sweeps of single-piece moves
-// by more than kWorthTelling.  (3) The contacts that hold its length are contacts: both pieces are there.
+// by more than kSignificant.  (3) The contacts that hold its length are contacts: both pieces are there.
 [[nodiscard]] CompactionVerdict judged_compaction(const Marker& start, SumCache& sums);
 
 }  // namespace selvage::test

@@ -25,12 +25,12 @@ namespace {
 constexpr int kFaultsShown = 20;
 constexpr std::size_t kCacheBytes = std::size_t{64} << 20;
 
-// The number of markers whose share exceeded kWorthTelling, and the largest share.
+// The number of markers whose share exceeded kSignificant, and the largest share.
 struct Rate {
   std::uint64_t count{};
   double most{};
   void add(double share) {
-    count += share > kWorthTelling ? 1 : 0;
+    count += share > kSignificant ? 1 : 0;
     most = std::max(most, share);
   }
 };
