@@ -49,7 +49,7 @@ template <>
 struct Choices<motion::dragging::DragMode> {
   static constexpr std::string_view kName = "DragMode";
   static constexpr std::string_view kMeaning =
-      "What a dragged piece does to the others: nothing (place), or push them out of the way (push).";
+      "How a dragged piece affects the others: not at all (place), or it pushes them out of the way (push).";
   static constexpr std::string_view kWords[] = {"place", "push"};
 };
 

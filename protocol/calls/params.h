@@ -24,7 +24,8 @@ inline constexpr schema::Limits kRoundLimits{.range = {{0, kMaxRounds}}};
 
 inline constexpr std::string_view kMarkerIdMeaning = "The marker's id.";
 inline constexpr std::string_view kBaseRevisionMeaning = "Refuse the call when the marker is at another revision.";
-inline constexpr std::string_view kOpIdMeaning = "A name for this call: a retry of it gets the same result.";
+inline constexpr std::string_view kOpIdMeaning =
+    "A name for this call; a retry with the same name gets the same result.";
 inline constexpr std::string_view kReadDeadlineMeaning =
     "After this many milliseconds the call is refused if it has no result; 1 to 86,400,000.";
 
@@ -43,7 +44,7 @@ struct CommonParams {
   static void describe(auto& v, auto& self) {
     v.required("markerId", self.marker_id, kMarkerIdMeaning);
     v.optional("baseRev", self.base_revision, kBaseRevisionMeaning, kRevisions);
-    v.optional("commit", self.commit, "False: return the result, but leave the marker as it is.");
+    v.optional("commit", self.commit, "False: return the result without changing the marker.");
     v.optional("timing", self.timing, "True: also return ms and cache, which vary from run to run.");
     v.optional("opId", self.op_id, kOpIdMeaning, kOpIds);
     v.optional("deadlineMs", self.deadline_ms,

@@ -29,7 +29,7 @@ namespace {
 const Component& locks_component() {
   static const Component kLocks{
       .name = "Locks",
-      .meaning = "True: the whole piece is locked; false: nothing; or a list of what is locked.",
+      .meaning = "True: the whole piece is locked; false: nothing is; or a list of the locked movements.",
       .same_as = either({{Type::Kind::kBoolean}, list_of(Wire<calls::LockedPart>::type())})};
   return kLocks;
 }

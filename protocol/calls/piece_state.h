@@ -20,7 +20,7 @@ namespace selvage::protocol::schema {
 template <>
 struct Choices<calls::LockedPart> {
   static constexpr std::string_view kName = "LockedPart";
-  static constexpr std::string_view kMeaning = "What of a piece is locked.";
+  static constexpr std::string_view kMeaning = "Which movements of a piece are locked.";
   static constexpr auto& kWords = formats::kLockNames;
 };
 
@@ -54,11 +54,11 @@ struct PieceState {
     v.required("rotation", self.rotation, "Degrees, counter-clockwise.");
     v.required("flip", self.flip, "Whether the piece is mirrored.");
     v.required("tilt", self.tilt, "Degrees, added to the rotation.");
-    v.required("locked", self.locked, "What is locked.");
+    v.required("locked", self.locked, "Which movements are locked.");
     v.optional("group", self.group, "Its group, if it has one.");
     v.optional("buffer", self.buffer, "The clearance around it, if it has one.");
     v.optional("overlap", self.overlap, "Its own overlap allowance, if it has one.");
-    v.optional("rules", self.rules, "Where on the strip it may lie, if it has rules of its own.");
+    v.optional("rules", self.rules, "Its own rules about where on the strip it may lie, if it has any.");
   }
 };
 [[nodiscard]] PieceState state_of(const Marker& marker, const Piece& piece);

@@ -20,8 +20,9 @@ namespace selvage::protocol::calls {
 
 inline constexpr std::string_view kRevisionMeaning = "The marker's revision.";
 inline constexpr std::string_view kNameMeaning = "The marker's name.";
-inline constexpr std::string_view kPiecesMeaning = "Number of pieces; zones are none.";
-inline constexpr std::string_view kUnplacedMeaning = "Number of pieces that do not lie on the cloth; absent: none.";
+inline constexpr std::string_view kPiecesMeaning = "Number of pieces, not counting zones.";
+inline constexpr std::string_view kUnplacedMeaning =
+    "Number of pieces that do not lie on the cloth; absent when there are none.";
 inline constexpr std::string_view kLengthMeaning = "The x coordinate where the rightmost piece ends; exact.";
 inline constexpr std::string_view kUtilisationMeaning = "The pieces' area divided by width times length, 0 to 1.";
 inline constexpr std::string_view kValidMeaning =
@@ -85,7 +86,7 @@ struct Overlap {
   static void describe(auto& v, auto& self) {
     v.required("first", self.first, kPieceMeaning);
     v.required("second", self.second, "The other piece's id.");
-    v.required("witness", self.witness, "A point in both.");
+    v.required("witness", self.witness, "A point inside both pieces.");
     v.required(
         "depth", self.depth,
         "The length of the shortest move that separates them; 0 when not measured because the motion was stopped.");
@@ -116,7 +117,7 @@ struct Healing {
     v.required("protruding", self.protruding, "Number of pieces that extended beyond the strip.");
     v.required("deepest", self.deepest, "Depth of the deepest overlap.");
     v.required("farthestMove", self.farthest_move, "The longest move of a piece.");
-    v.required("lengthened", self.lengthened, "How much longer the repair made the marker.");
+    v.required("lengthened", self.lengthened, "By how much the repair made the marker longer.");
   }
 };
 [[nodiscard]] Healing healing_of(const motion::repair::Repair& repair, Resolution resolution);
@@ -126,13 +127,12 @@ struct StageTimes {
   double decomposition{}, sums{}, rows{}, solve{}, verify{}, total{};
 
   static void describe(auto& v, auto& self) {
-    v.required("decomposition", self.decomposition,
-               "Splitting outlines that are not known yet into star-shaped parts.");
+    v.required("decomposition", self.decomposition, "Decomposing new outlines into star-shaped parts.");
     v.required("sums", self.sums, "Computing Minkowski sums.");
     v.required("rows", self.rows, "Building linear programs.");
     v.required("solve", self.solve, "Solving them.");
     v.required("verify", self.verify, "Proving the result.");
-    v.required("total", self.total, "From beginning to end.");
+    v.required("total", self.total, "The whole motion.");
   }
 };
 [[nodiscard]] StageTimes stage_times_of(const execution::StageTimes& times);

@@ -2,7 +2,7 @@
 
 import type { Id, PieceState, Placement, Point } from "./shared.js";
 
-/** What a dragged piece does to the others: nothing (place), or push them out of the way (push). */
+/** How a dragged piece affects the others: not at all (place), or it pushes them out of the way (push). */
 export type DragMode = "place" | "push";
 
 export interface DragMethods {
@@ -67,7 +67,7 @@ export interface DragMethods {
       markerId: string;
       /** False: do not change the marker. */
       commit?: boolean;
-      /** A name for this call: a retry of it gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. */
       opId?: string;
     };
     result: {
@@ -83,7 +83,7 @@ export interface DragMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;

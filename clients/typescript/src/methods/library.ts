@@ -12,7 +12,7 @@ export type LibraryEntry = {
   style: string;
   /** The unit of all its lengths. */
   unit: string;
-  /** Number of pieces; zones are none. */
+  /** Number of pieces, not counting zones. */
   pieces: number;
   /** The width of the strip. */
   width: number;
@@ -34,7 +34,7 @@ export type LibraryNear = {
   style: string;
   /** The unit of all its lengths. */
   unit: string;
-  /** Number of pieces; zones are none. */
+  /** Number of pieces, not counting zones. */
   pieces: number;
   /** The width of the strip. */
   width: number;
@@ -66,7 +66,7 @@ export interface LibraryMethods {
       style: string;
       /** The unit of all its lengths. */
       unit: string;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
       /** The width of the strip. */
       width: number;
@@ -95,7 +95,7 @@ export interface LibraryMethods {
       style: string;
       /** The unit of all its lengths. */
       unit: string;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
       /** The width of the strip. */
       width: number;

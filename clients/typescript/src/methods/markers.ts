@@ -110,7 +110,7 @@ export interface MarkerMethods {
       pieceRules?: Array<RulesOfPieces>;
       /** Shapes that are cut roughly first, larger on some sides: [{"shape": "collar", "left": 5, "above": 5}]. */
       blocks?: Array<BlocksOfShape>;
-      /** A name for this call: a retry of it gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. */
       opId?: string;
     };
     result: {
@@ -118,9 +118,9 @@ export interface MarkerMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
-      /** Number of pieces that do not lie on the cloth; absent: none. */
+      /** Number of pieces that do not lie on the cloth; absent when there are none. */
       unplaced?: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -137,7 +137,7 @@ export interface MarkerMethods {
     params: {
       /** The marker's id. */
       markerId: string;
-      /** A name for this call: a retry of it gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. */
       opId?: string;
     };
     result: {
@@ -156,7 +156,7 @@ export interface MarkerMethods {
       ops: Array<Edit>;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
-      /** A name for this call: a retry of it gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. */
       opId?: string;
     };
     result: {
@@ -172,7 +172,7 @@ export interface MarkerMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -191,7 +191,7 @@ export interface MarkerMethods {
       markerId: string;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
-      /** A name for this call: a retry of it gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. */
       opId?: string;
     };
     result: {
@@ -207,7 +207,7 @@ export interface MarkerMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;
@@ -224,7 +224,7 @@ export interface MarkerMethods {
       markerId: string;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
-      /** A name for this call: a retry of it gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. */
       opId?: string;
     };
     result: {
@@ -240,7 +240,7 @@ export interface MarkerMethods {
       whole?: boolean;
       /** The marker's name. */
       name: string;
-      /** Number of pieces; zones are none. */
+      /** Number of pieces, not counting zones. */
       pieces: number;
       /** The x coordinate where the rightmost piece ends; exact. */
       length: number;

@@ -26,7 +26,7 @@ export interface Notifications {
     removed: Array<string>;
     /** The marker's name. */
     name: string;
-    /** Number of pieces; zones are none. */
+    /** Number of pieces, not counting zones. */
     pieces: number;
     /** The x coordinate where the rightmost piece ends; exact. */
     length: number;

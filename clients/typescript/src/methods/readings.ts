@@ -14,9 +14,9 @@ export type ListedMarker = {
   revision: number;
   /** The marker's name. */
   name: string;
-  /** Number of pieces; zones are none. */
+  /** Number of pieces, not counting zones. */
   pieces: number;
-  /** Number of pieces that do not lie on the cloth; absent: none. */
+  /** Number of pieces that do not lie on the cloth; absent when there are none. */
   unplaced?: number;
   /** The x coordinate where the rightmost piece ends; exact. */
   length: number;

@@ -30,17 +30,17 @@ export type Healing = {
   deepest: number;
   /** The longest move of a piece. */
   farthestMove: number;
-  /** How much longer the repair made the marker. */
+  /** By how much the repair made the marker longer. */
   lengthened: number;
 };
 
 /** An id; a whole number is read as the string of its digits. */
 export type Id = string | number;
 
-/** What of a piece is locked. */
+/** Which movements of a piece are locked. */
 export type LockedPart = "x" | "y" | "tilt";
 
-/** True: the whole piece is locked; false: nothing; or a list of what is locked. */
+/** True: the whole piece is locked; false: nothing is; or a list of the locked movements. */
 export type Locks = boolean | Array<LockedPart>;
 
 /** The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
@@ -52,7 +52,7 @@ export type Overlap = {
   first: string;
   /** The other piece's id. */
   second: string;
-  /** A point in both. */
+  /** A point inside both pieces. */
   witness: Point;
   /** The length of the shortest move that separates them; 0 when not measured because the motion was stopped. */
   depth: number;
@@ -98,7 +98,7 @@ export type PieceState = {
   flip: boolean;
   /** Degrees, added to the rotation. */
   tilt: number;
-  /** What is locked. */
+  /** Which movements are locked. */
   locked: Locks;
   /** Its group, if it has one. */
   group?: string;
@@ -106,7 +106,7 @@ export type PieceState = {
   buffer?: number;
   /** Its own overlap allowance, if it has one. */
   overlap?: number;
-  /** Where on the strip it may lie, if it has rules of its own. */
+  /** Its own rules about where on the strip it may lie, if it has any. */
   rules?: PieceRules;
 };
 
@@ -152,7 +152,7 @@ export type Region = {
 
 /** Milliseconds by stage. */
 export type StageTimes = {
-  /** Splitting outlines that are not known yet into star-shaped parts. */
+  /** Decomposing new outlines into star-shaped parts. */
   decomposition: number;
   /** Computing Minkowski sums. */
   sums: number;
@@ -162,7 +162,7 @@ export type StageTimes = {
   solve: number;
   /** Proving the result. */
   verify: number;
-  /** From beginning to end. */
+  /** The whole motion. */
   total: number;
 };
 
@@ -178,11 +178,11 @@ export type MotionParams = {
   markerId: string;
   /** Refuse the call when the marker is at another revision. */
   baseRev?: number;
-  /** False: return the result, but leave the marker as it is. */
+  /** False: return the result without changing the marker. */
   commit?: boolean;
   /** True: also return ms and cache, which vary from run to run. */
   timing?: boolean;
-  /** A name for this call: a retry of it gets the same result. */
+  /** A name for this call; a retry with the same name gets the same result. */
   opId?: string;
   /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
   deadlineMs?: number;
@@ -198,7 +198,7 @@ export type MotionResult = {
   revision: number;
   /** The marker's name. */
   name: string;
-  /** Number of pieces; zones are none. */
+  /** Number of pieces, not counting zones. */
   pieces: number;
   /** The marker's length before the motion; exact. */
   lengthBefore: number;

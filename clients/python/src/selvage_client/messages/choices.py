@@ -20,7 +20,7 @@ ClothRule = Literal["below", "above", "from", "to", "fold", "shade", "matchX", "
 """One of cloth's rules, which say where on the strip a piece may lie."""
 
 DragMode = Literal["place", "push"]
-"""What a dragged piece does to the others: nothing (place), or push them out of the way (push)."""
+"""How a dragged piece affects the others: not at all (place), or it pushes them out of the way (push)."""
 
 FloatMode = Literal["largest_minimum", "given_distance", "largest_total", "uniform", "two_step"]
 """The objective of motion.float."""
@@ -35,7 +35,7 @@ LengthUnit = Literal["mm", "cm", "m", "in", "ft", "yd"]
 """A unit of length."""
 
 LockedPart = Literal["x", "y", "tilt"]
-"""What of a piece is locked."""
+"""Which movements of a piece are locked."""
 
 Nap = Literal["one_way", "either_way"]
 """Whether pieces may also be rotated by 180 degrees."""
