@@ -240,7 +240,8 @@ class WebSocketAttack final : public Attack {
 }  // namespace
 
 void malformed(std::size_t count, Faults& faults) {
-  LiveDaemon daemon;
+  // What asks for hours of work, such as 2^31 moves of a nesting, is answered after this time.
+  LiveDaemon daemon{{"--call-seconds", "10"}};
   InUse in_use;
   Tally tally;
   std::vector<std::unique_ptr<Attack>> attacks;
