@@ -64,7 +64,8 @@ std::optional<RealBox> Relaxation::trim(const WedgeRing& wedges, Arc& arc, const
     for (std::size_t c = 0; c < cell.count; ++c) include(cell.x[c], cell.y[c]);
     return false;
   };
-  auto [first, end] = wedges.part_facing(arc, box);
+  const WedgeRing::Part part = wedges.part_facing(arc, box);
+  std::uint32_t first = part.begin, end = part.end;
   while (first < end && is_empty(first)) ++first;
   if (first >= end) return std::nullopt;
   while (end - 1 > first && is_empty(end - 1)) --end;
