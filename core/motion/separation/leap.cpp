@@ -31,10 +31,30 @@ std::vector<Neighbour> neighbours_of(const scene::Scene& scene, std::uint32_t pi
   return found;
 }
 
-// Where the piece may leap to: a piece of a match set to where it is in phase with the others.
+// Where the piece may leap to, on any repeat of the cloth's pattern.
 Box room_of(const scene::Scene& scene, std::uint32_t piece, Coord end) {
-  if (scene.pieces.match_set_of(piece) == nullptr) return scene.pieces.room(piece, scene.marker.strip, end);
-  return scene.pieces.room_among(piece, std::vector<bool>(scene.pieces.size()), scene.marker.strip, end);
+  const marker::Rules& rules = scene.marker.pieces[piece].rules;
+  const Strip& strip = scene.marker.strip;
+  const geometry::PlacedPolygon polygon = scene.pieces[piece];
+  return room_for(rules, polygon.box.height(), fold_edge(rules, polygon.vertices, strip), strip, end);
+}
+
+// The positions of the grid on one axis, from that at `at`.  Where a pattern repeats they are whole repeats away, and
+// only those between low and high count; elsewhere they stop there.
+std::vector<Coord> positions_on(Coord at, Coord low, Coord high, Coord repeat, const LeapGrid& grid) {
+  const double step = grid.reach / grid.steps;
+  const Coord repeats =
+      repeat == 0 ? 0 : std::max(Coord{1}, static_cast<Coord>(std::llround(step / static_cast<double>(repeat))));
+  std::vector<Coord> positions;
+  for (int k = -grid.steps; k <= grid.steps; ++k) {
+    if (repeat == 0) {
+      const Coord to = at + static_cast<Coord>(std::llround(grid.reach * k / grid.steps));
+      positions.push_back(std::clamp(to, low, std::max(low, high)));
+    } else if (const Coord to = at + k * repeats * repeat; k == 0 || (to >= low && to <= high)) {
+      positions.push_back(to);
+    }
+  }
+  return positions;
 }
 
 // The distance by which the pieces would have to move apart.
@@ -53,13 +73,17 @@ Leap cheapest_leap(const scene::Scene& scene, PieceId id, const LeapGrid& grid, 
   const std::uint32_t piece = id.value;
   const Vec from = scene.pieces.at(piece);
   const Box fit = minkowski::inner_fit(scene.pieces[piece].box, room_of(scene, piece, grid.length));
-  const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, grid.reach, prices);
   Leap best{from, std::numeric_limits<double>::infinity()};
-  const auto step = [&](int k) { return static_cast<Coord>(std::llround(grid.reach * k / grid.steps)); };
-  for (int row = -grid.steps; row <= grid.steps; ++row) {
-    for (int column = -grid.steps; column <= grid.steps; ++column) {
-      const Vec to{std::clamp(from.x + step(column), fit.low.x, std::max(fit.low.x, fit.high.x)),
-                   std::clamp(from.y + step(row), fit.low.y, std::max(fit.low.y, fit.high.y))};
+  const Vec repeat = scene.pieces.repeat_of(piece, scene.marker.strip);
+  const std::vector<Coord> columns = positions_on(from.x, fit.low.x, fit.high.x, repeat.x, grid);
+  const std::vector<Coord> rows = positions_on(from.y, fit.low.y, fit.high.y, repeat.y, grid);
+  const Coord farthest = std::max(
+      {from.x - columns.front(), columns.back() - from.x, from.y - rows.front(), rows.back() - from.y, Coord{0}});
+  const double reach = std::max(grid.reach, static_cast<double>(farthest));
+  const std::vector<Neighbour> neighbours = neighbours_of(scene, piece, reach, prices);
+  for (const Coord y : rows) {
+    for (const Coord x : columns) {
+      const Vec to{x, y};
       double cost = static_cast<double>(std::abs(to.x - from.x) + std::abs(to.y - from.y));
       for (const Neighbour& neighbour : neighbours) {
         if (cost >= best.cost) break;

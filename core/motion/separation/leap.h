@@ -22,7 +22,8 @@ struct Leap {
   double cost{};  // the sum of price times depth over the overlaps at `to`, plus the length |x| + |y| of the leap
 };
 
-// The positions that a leap chooses from: a square grid about the piece's present position.
+// The positions that a leap chooses from: a square grid about the piece's present position.  On an axis on which a
+// piece is matched to the cloth's pattern, or to other pieces, the grid's steps are whole repeats, at least one.
 struct LeapGrid {
   double reach{};  // lattice units, on each axis
   int steps{};     // from the present position to either side

@@ -141,6 +141,24 @@ TEST(Rules, RepairAndSeparationBringAMatchSetIntoPhase) {
   EXPECT_EQ(separated->marker.pieces[2].at.x - separated->marker.pieces[0].at.x, 350'000);
 }
 
+TEST(Rules, SeparationMovesPiecesOfAMatchSetByWholeRepeatsOnAPlaid) {
+  // On both axes the two share their displacement in linear programs: only a leap takes them off each other.
+  for (const bool in_set : {true, false}) {
+    Marker marker = squares({{140'000, 90'000}, {140'000, 120'000}});
+    marker.strip.repeat = {70'000, 30'000, {}};
+    for (Piece& piece : marker.pieces) {
+      piece.rules.match = Vec{0, 0};
+      if (in_set) piece.rules.match_set = "A";
+    }
+    ASSERT_FALSE(is_valid(marker));
+    SumCache sums;
+    const auto separated = separation::separate(marker, {.grow = 1}, {sums});
+    ASSERT_TRUE(separated) << separated.error().message;
+    EXPECT_TRUE(separated->apart) << in_set;
+    EXPECT_TRUE(is_valid(separated->marker)) << in_set;
+  }
+}
+
 TEST(Rules, SeparationKeepsAMatchSetInTheStrip) {  // the nearest place in phase is below the selvedge
   Marker marker = squares({{20'000, 420'000}, {210'000, 600'000}, {370'000, 250'000}});
   marker.strip.below = 300'000;
