@@ -14,12 +14,14 @@ constexpr std::size_t kFew = 16;
 // True when the polygon, in place of the piece, collides with none of the others but for those that skip(other) names.
 template <class Skip>
 bool clear_of_others(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon,
-                     const Skip& skip) {
+                     std::span<const Vec> part, const Skip& skip) {
   const Box near = polygon.placed_box().grown(pieces.widest_spacing());
   for (std::uint32_t other = 0; other < pieces.size(); ++other) {
     if (other == piece || !near.overlaps(pieces.box(other)) || skip(other)) continue;
     if (pieces.may_share_cloth(piece, other)) continue;
-    if (collide(polygon, pieces[other], pieces.spacing({piece, other}))) return false;
+    const bool whole = !pieces.shows_part(piece, other);
+    const geometry::PlacedPolygon own{whole ? polygon.vertices : part, polygon.box, polygon.at};
+    if (collide(own, pieces.facing(other, piece), pieces.spacing({piece, other}))) return false;
   }
   return true;
 }
@@ -32,7 +34,8 @@ bool collide(const geometry::PlacedPolygon& p, const geometry::PlacedPolygon& q,
 }
 
 bool conflict(const PlacedPieces& pieces, PiecePair pair) {
-  return collide(pieces[pair.first], pieces[pair.second], pieces.spacing(pair));
+  const auto [p, q] = pair;
+  return collide(pieces.facing(p, q), pieces.facing(q, p), pieces.spacing(pair));
 }
 
 std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor, const std::stop_token& stop) {
@@ -46,8 +49,9 @@ bool any_conflict(const PlacedPieces& pieces) {
   return any_pair_within(pieces, pieces.widest_spacing(), [&](PiecePair pair) { return conflict(pieces, pair); });
 }
 
-bool is_clear(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon) {
-  return clear_of_others(pieces, piece, polygon, [](std::uint32_t) { return false; });
+bool is_clear(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon,
+              std::span<const Vec> part) {
+  return clear_of_others(pieces, piece, polygon, part, [](std::uint32_t) { return false; });
 }
 
 bool are_clear(const PlacedPieces& pieces, const std::vector<bool>& moving, Vec by) {
@@ -55,7 +59,8 @@ bool are_clear(const PlacedPieces& pieces, const std::vector<bool>& moving, Vec 
     if (!moving[piece]) continue;
     geometry::PlacedPolygon polygon = pieces[piece];
     polygon.at = polygon.at + by;
-    if (!clear_of_others(pieces, piece, polygon, [&](std::uint32_t other) { return moving[other]; })) return false;
+    const auto moves = [&](std::uint32_t other) { return moving[other]; };
+    if (!clear_of_others(pieces, piece, polygon, pieces.part(piece), moves)) return false;
   }
   return true;
 }
@@ -63,7 +68,7 @@ bool are_clear(const PlacedPieces& pieces, const std::vector<bool>& moving, Vec 
 bool are_clear(const PlacedPieces& pieces, std::span<const std::uint32_t> changed) {
   if (changed.size() <= kFew) {
     return std::all_of(changed.begin(), changed.end(),
-                       [&](std::uint32_t piece) { return is_clear(pieces, piece, pieces[piece]); });
+                       [&](std::uint32_t piece) { return is_clear(pieces, piece, pieces[piece], pieces.part(piece)); });
   }
   std::vector<bool> is_changed(pieces.size());
   for (const std::uint32_t piece : changed) is_changed[piece] = true;

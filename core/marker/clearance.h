@@ -30,8 +30,10 @@ namespace selvage::marker {
 // True when some pair collides.
 [[nodiscard]] bool any_conflict(const PlacedPieces& pieces);
 
-// True when `polygon`, in place of the piece, collides with no other piece.
-[[nodiscard]] bool is_clear(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon);
+// True when `polygon`, in place of the piece, collides with no other piece.  `part`: that of the piece, turned like the
+// polygon, if it has one.
+[[nodiscard]] bool is_clear(const PlacedPieces& pieces, std::uint32_t piece, const geometry::PlacedPolygon& polygon,
+                            std::span<const Vec> part = {});
 // True when the moving pieces, all displaced by the same vector, collide with none of the others.
 [[nodiscard]] bool are_clear(const PlacedPieces& pieces, const std::vector<bool>& moving, Vec by);
 // True when none of the changed pieces collides with any piece.

@@ -115,6 +115,33 @@ std::optional<Error> strip_defect(const Marker& marker) {
   return std::nullopt;
 }
 
+// Makes the part of a piece a Polygon; `at` points to the piece.
+// Errors: those of clean_polygon; kOutOfRange when the part accepts as much as the rest, or reaches out of the outline.
+std::optional<Error> settle_part(const Marker& marker, Piece& piece, const std::string& at) {
+  if (!piece.rules.part || piece.rules.zone) return std::nullopt;
+  Part& part = *piece.rules.part;
+  const std::string field = at + "/rules/part";
+  const Quality worst = piece.rules.quality.value_or(0);
+  if (part.quality < 0 || part.quality >= worst) {
+    return Error{ErrorCode::kOutOfRange,
+                 "the quality of the part is " + std::to_string(part.quality) +
+                     "; it must be at least 0 and less than that of the piece, " + std::to_string(worst),
+                 field + "/quality"};
+  }
+  auto clean = clean_polygon(part.outline);
+  if (!clean) return Error{clean.error().code, clean.error().message, field + "/outline"};
+  part.outline = std::move(clean->polygon);
+  const Polygon& outline = marker.shapes[piece.shape.value].outline;
+  const auto outside = std::find_if(part.outline.begin(), part.outline.end(), [&outline](Vec v) {
+    return geometry::locate(v, outline) == geometry::Location::kOutside;
+  });
+  if (outside == part.outline.end()) return std::nullopt;
+  return Error{ErrorCode::kOutOfRange,
+               "the corner (" + decimal(outside->x, marker.resolution) + ", " + decimal(outside->y, marker.resolution) +
+                   ") of the part lies outside of its shape",
+               field + "/outline"};
+}
+
 // Rules that no position keeps, whatever the piece's orientation; `at` points to the piece.
 std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at) {
   const Rules& rules = piece.rules;
@@ -288,6 +315,11 @@ Result<Marker> make_marker(Marker marker) {
                                       marker.resolution);
     }
     if (at->second) return Error{at->second->code, at->second->message, at_index("pieces", k)};
+    if (const auto defect = settle_part(marker, piece, at_index("pieces", k))) return *defect;
+    if (!part_is_polygon(piece)) {
+      return Error{ErrorCode::kSelfIntersecting, "turned and rounded to the lattice, the part touches itself",
+                   at_index("pieces", k) + "/rules/part/outline"};
+    }
   }
   for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
     if (const auto defect = piece_defect(marker, marker.unplaced[k], at_index("unplaced", k))) return *defect;
@@ -295,6 +327,7 @@ Result<Marker> make_marker(Marker marker) {
       return Error{ErrorCode::kOutOfRange, "a zone is a part of the cloth, so it must be placed",
                    at_index("unplaced", k) + "/rules/zone"};
     }
+    if (const auto defect = settle_part(marker, marker.unplaced[k], at_index("unplaced", k))) return *defect;
     marker.unplaced[k].at = {};
   }
   return marker;
@@ -309,6 +342,14 @@ Polygon placed_outline(const Marker& marker, PieceId id) {
 
 Vec turned_match(const Piece& piece) {
   return piece.rules.match ? oriented(Polygon{*piece.rules.match}, piece.orientation).front() : Vec{};
+}
+
+Polygon turned_part(const Piece& piece) {
+  return piece.rules.part ? oriented(piece.rules.part->outline, piece.orientation) : Polygon{};
+}
+
+bool part_is_polygon(const Piece& piece) {
+  return !piece.rules.part || split(piece.orientation).turn.degrees == 0.0 || clean_polygon(turned_part(piece));
 }
 
 std::size_t piece_count(const Marker& marker) {

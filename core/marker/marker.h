@@ -7,8 +7,9 @@
 // position.  Length, utilisation, validity and motions concern placed pieces only; nesting places the others.
 // Invariant of a Marker that make_marker returned: ids are unique, also between placed and unplaced pieces; every piece
 // names an existing shape, every shape is a Polygon, every piece has an orientation that its shape allows, every placed
-// piece fits the strip's width and the room that its rules leave, and every zone (rules.h) is placed and locked. Pieces
-// may still overlap or leave the strip or their rooms: see core/marker/validity.h.
+// piece fits the strip's width and the room that its rules leave, every part of a piece (rules.h) is a Polygon within
+// the piece's outline, and every zone is placed and locked. Pieces may still overlap or leave the strip or their rooms:
+// see core/marker/validity.h.
 #pragma once
 
 #include <optional>
@@ -113,6 +114,12 @@ inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones t
 // The match point of a piece as it is turned, rounded to the lattice like the vertices of the outline, from the piece's
 // position; 0 when it has none.
 [[nodiscard]] Vec turned_match(const Piece& piece);
+
+// The part of a piece that accepts less of the cloth's quality (rules.h), as it is turned and from the piece's
+// position, rounded like the outline; empty when it has none.
+[[nodiscard]] Polygon turned_part(const Piece& piece);
+// False when rounding made the turned part touch itself.
+[[nodiscard]] bool part_is_polygon(const Piece& piece);
 
 // The number of placed pieces, without the zones that are listed among them (rules.h).
 [[nodiscard]] std::size_t piece_count(const Marker& marker);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace selvage::marker {
 namespace {
@@ -35,15 +36,16 @@ bool sweep(const PlacedPieces& pieces, Coord distance, const Visit& visit) {
 }  // namespace
 
 PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
-  std::map<std::pair<ShapeId, Orientation>, std::shared_ptr<const SharedPolygon>> made;
+  std::map<std::tuple<ShapeId, Orientation, Polygon>, std::shared_ptr<const SharedPolygon>> made;
   polygons_.reserve(marker.pieces.size());
   at_.reserve(marker.pieces.size());
   for (const Piece& piece : marker.pieces) {
-    auto& polygon = made[{piece.shape, piece.orientation}];
+    Polygon part = turned_part(piece);
+    auto& polygon = made[{piece.shape, piece.orientation, part}];
     if (!polygon) {
       Polygon vertices = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
       const Box box = box_of(vertices);
-      polygon = std::make_shared<const SharedPolygon>(SharedPolygon{std::move(vertices), box});
+      polygon = std::make_shared<const SharedPolygon>(SharedPolygon{std::move(vertices), box, std::move(part)});
     }
     polygons_.push_back(polygon);
     at_.push_back(piece.at);
@@ -57,10 +59,10 @@ PlacedPieces::PlacedPieces(const Marker& marker) : spacing_{marker.spacing} {
   for (const Piece& piece : marker.pieces) matches_.push_back(turned_match(piece));
 }
 
-void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at, Vec match) {
+void PlacedPieces::replace(std::size_t piece, Polygon polygon, Vec at, Vec match, Polygon part) {
   if (rooms_) matches_[piece] = match;
   const Box box = box_of(polygon);
-  polygons_[piece] = std::make_shared<const SharedPolygon>(SharedPolygon{std::move(polygon), box});
+  polygons_[piece] = std::make_shared<const SharedPolygon>(SharedPolygon{std::move(polygon), box, std::move(part)});
   at_[piece] = at;
 }
 

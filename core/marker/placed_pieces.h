@@ -20,6 +20,7 @@ namespace selvage::marker {
 struct SharedPolygon {
   Polygon vertices;
   Box box;
+  Polygon part{};  // the part that accepts less of the cloth's quality (rules.h); empty: there is none
 };
 
 // Two pieces, first < second.
@@ -34,15 +35,28 @@ class PlacedPieces {
     const SharedPolygon& polygon = *polygons_[piece];
     return {polygon.vertices, polygon.box, at_[piece]};
   }
+  // The piece as another one meets it: of a piece with a part, to a zone that is too bad for the part alone, that part.
+  // Its box is that of the whole piece.
+  [[nodiscard]] geometry::PlacedPolygon facing(std::size_t piece, std::size_t other) const {
+    if (!shows_part(piece, other)) return (*this)[piece];
+    const SharedPolygon& polygon = *polygons_[piece];
+    return {polygon.part, polygon.box, at_[piece]};
+  }
+  // True when the other one meets nothing of the piece but its part.
+  [[nodiscard]] bool shows_part(std::size_t piece, std::size_t other) const {
+    return rooms_ && only_part_meets(rooms_->rules[piece], rooms_->rules[other]);
+  }
+  // The part of the piece as it is turned, from its position; empty: it has none.
+  [[nodiscard]] std::span<const Vec> part(std::size_t piece) const { return polygons_[piece]->part; }
   [[nodiscard]] Box box(std::size_t piece) const { return polygons_[piece]->box.moved(at_[piece]); }
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
   [[nodiscard]] const std::vector<Vec>& positions() const { return at_; }
   void place(std::vector<Vec> positions) { at_ = std::move(positions); }
   // Moves every piece, each by a vector of its own.
   void move_by(std::span<const Vec> by);
-  // Replaces the polygon and position of one piece, for instance after a tilt.  `match`: its match point as it is
-  // turned now, if it has one.
-  void replace(std::size_t piece, Polygon polygon, Vec at, Vec match);
+  // Replaces the polygon and position of one piece, for instance after a tilt.  `match` and `part`: its match point and
+  // its part as it is turned now, if it has them.
+  void replace(std::size_t piece, Polygon polygon, Vec at, Vec match, Polygon part = {});
   // The least signed distance that the two pieces must keep: the marker's spacing or the sum of their buffers,
   // whichever is larger; when both are 0, the smaller of their overlap allowances, negated.  From a zone it is 0.
   [[nodiscard]] Coord spacing(PiecePair pair) const {

@@ -31,6 +31,11 @@ void match(Coord& room_low, Coord& room_high, Coord low, Coord high, Coord point
   if (to) room_low = low + *to - off;
 }
 
+// True when cloth of this class may carry the zone's.
+bool accepts(Quality worst, const Rules& zone) {
+  return zone.quality && *zone.quality <= worst;
+}
+
 }  // namespace
 
 Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repeat) {
@@ -59,7 +64,11 @@ bool may_share_cloth(const Rules& p, const Rules& q) {
   if (p.zone && q.zone) return true;
   const Rules& zone = p.zone ? p : q;
   const Rules& piece = p.zone ? q : p;
-  return zone.quality && *zone.quality <= piece.quality.value_or(0);
+  return accepts(piece.quality.value_or(0), zone) && (!piece.part || accepts(piece.part->quality, zone));
+}
+
+bool only_part_meets(const Rules& piece, const Rules& zone) {
+  return zone.zone && piece.part && accepts(piece.quality.value_or(0), zone) && !accepts(piece.part->quality, zone);
 }
 
 bool has_side_at(std::span<const Vec> outline, FoldEdge edge) {

@@ -5,7 +5,9 @@
 // one.  It differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces,
 // and allows no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
 // The cloth of a zone may have a quality class, as parts of a sheet have in packingsolver
-// (github.com/fontanf/packingsolver): pieces that accept the class lie there as on any other cloth.
+// (github.com/fontanf/packingsolver): pieces that accept the class lie there as on any other cloth.  A part of a piece
+// may accept less than the rest of it; a zone that is too bad for the part alone meets that part and not the whole
+// piece.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +18,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/geometry/orientation.h"
+#include "core/geometry/polygon.h"
 
 namespace selvage::marker {
 
@@ -38,6 +41,13 @@ enum class Nap { kUp, kDown };  // towards larger x, and towards smaller x
 using Quality = std::int32_t;
 inline constexpr Quality kWorstQuality = 99;
 
+// The part of a piece that accepts less than the rest of it, such as the one that is seen when the garment is worn.
+struct Part {
+  Polygon outline;    // within that of the shape, in its coordinates
+  Quality quality{};  // the worst class that the part accepts: less than that of the piece
+  friend bool operator==(const Part&, const Part&) = default;
+};
+
 // The edge of folded or tubular cloth on which a piece lies.
 enum class FoldEdge { kLower, kUpper };
 
@@ -54,6 +64,7 @@ struct Rules {
   bool zone{};  // it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw or a hole
   std::optional<Quality> quality{};  // of a piece: the worst class that it accepts; none: 0.  Of a zone: the class of
                                      // its cloth, at least 1; none: one that no piece accepts
+  std::optional<Part> part{};        // which accepts less; none: all of the piece accepts the same
 
   // True when its match point lies where a repeat of the cloth begins, whatever other pieces do.
   [[nodiscard]] bool matched_to_cloth() const { return match && match_set.empty(); }
@@ -69,6 +80,9 @@ struct Rules {
 // True when the two may lie over each other whatever their outlines: two zones, and a zone and a piece that accepts the
 // quality of its cloth.
 [[nodiscard]] bool may_share_cloth(const Rules& p, const Rules& q);
+// True when the piece accepts the quality of the zone's cloth but for its part, so that the part is all of the piece
+// that may not lie over the zone.
+[[nodiscard]] bool only_part_meets(const Rules& piece, const Rules& zone);
 
 // True when a side of the outline lies along that end of its box, so that it can lie on a fold.
 [[nodiscard]] bool has_side_at(std::span<const Vec> outline, FoldEdge edge);

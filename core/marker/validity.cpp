@@ -12,12 +12,15 @@ namespace {
 
 Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marker, SumCache& sums) {
   const auto [first, second] = pair;
-  const geometry::PlacedPolygon p = pieces[first];
-  const geometry::PlacedPolygon q = pieces[second];
+  const geometry::PlacedPolygon p = pieces.facing(first, second);
+  const geometry::PlacedPolygon q = pieces.facing(second, first);
   const auto inside_both = common_point(p, q);
   const RealVec witness = inside_both ? *inside_both : nearest_point(p, q);
-  const minkowski::Obstacle obstacle =
-      sums.obstacle(oriented_outline(marker, PieceId{first}, sums), oriented_outline(marker, PieceId{second}, sums));
+  const auto facing = [&](std::uint32_t piece, std::uint32_t other) {
+    return pieces.shows_part(piece, other) ? oriented_part(marker.pieces[piece], sums)
+                                           : oriented_outline(marker, PieceId{piece}, sums);
+  };
+  const minkowski::Obstacle obstacle = sums.obstacle(facing(first, second), facing(second, first));
   const double distance = nearest_boundary_point(obstacle.sum(), obstacle.to_frame(q.at - p.at)).distance;
   const double depth = static_cast<double>(pieces.spacing(pair)) + (inside_both ? distance : -distance);
   return {PieceId{first}, PieceId{second}, witness.x, witness.y, std::max(0.0, depth)};
@@ -48,6 +51,11 @@ outline::OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumC
   const Piece& piece = marker.pieces[id.value];
   const geometry::SplitOrientation parts = split(piece.orientation);
   return {sums.outline(turned(marker.shapes[piece.shape.value].outline, parts.turn)), parts.symmetry};
+}
+
+outline::OrientedOutline oriented_part(const Piece& piece, SumCache& sums) {
+  const geometry::SplitOrientation parts = split(piece.orientation);
+  return {sums.outline(turned(piece.rules.part->outline, parts.turn)), parts.symmetry};
 }
 
 Validity check(const Marker& marker, SumCache& sums) {

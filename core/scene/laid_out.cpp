@@ -11,6 +11,7 @@ LaidOut::LaidOut(const Marker& marker, SumCache& sums) : LaidOut{marker, Run{sum
 LaidOut::LaidOut(const Marker& marker, const Run& run)
     : pieces{marker},
       outlines{outlines_of(marker, run)},
+      parts{parts_of(marker, run.sums)},
       ties{model::ties_of(marker)},
       figures{figures_of(marker, pieces)} {}
 
@@ -33,6 +34,16 @@ std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, const Ru
   auto outlines = outlines_of(marker, run.sums);
   run.observer.on_stage(Stage::kOther);
   return outlines;
+}
+
+std::vector<outline::OrientedOutline> parts_of(const Marker& marker, SumCache& sums) {
+  std::vector<outline::OrientedOutline> parts;
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) {
+    if (!marker.pieces[i].rules.part) continue;
+    parts.resize(marker.pieces.size());
+    parts[i] = marker::oriented_part(marker.pieces[i], sums);
+  }
+  return parts;
 }
 
 marker::Figures figures_after(const Marker& before, const LaidOut& laid_out, const Marker& after) {

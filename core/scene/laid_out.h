@@ -18,6 +18,7 @@ struct LaidOut {
 
   marker::PlacedPieces pieces;
   std::vector<outline::OrientedOutline> outlines;
+  std::vector<outline::OrientedOutline> parts;  // by piece, as parts_of says
   model::Ties ties;
   marker::Figures figures;
 };
@@ -26,6 +27,8 @@ struct LaidOut {
 [[nodiscard]] std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, SumCache& sums);
 // The same, reported as stage kDecomposition; kOther begins after it.
 [[nodiscard]] std::vector<outline::OrientedOutline> outlines_of(const Marker& marker, const Run& run);
+// The part of every piece that has one (core/marker/rules.h); empty when none has.
+[[nodiscard]] std::vector<outline::OrientedOutline> parts_of(const Marker& marker, SumCache& sums);
 
 // The figures of the marker after a motion.  If the marker was valid before, pairs of which neither piece changed are
 // not proved again.

@@ -13,6 +13,7 @@ Scene::Scene(Marker start, const Run& run)
       sums{run.sums},
       pieces{marker},
       outlines{outlines_of(marker, run)},
+      parts{parts_of(marker, run.sums)},
       ties{model::ties_of(marker)} {}
 
 Scene::Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache)
@@ -20,6 +21,7 @@ Scene::Scene(Marker start, const LaidOut& laid_out, SumCache& sum_cache)
       sums{sum_cache},
       pieces{laid_out.pieces},
       outlines{laid_out.outlines},
+      parts{laid_out.parts},
       ties{laid_out.ties} {}
 
 void Scene::shift(PieceId piece, Vec by) {
@@ -36,14 +38,16 @@ void Scene::reorient(PieceId piece, const Orientation& orientation, Vec at) {
   own.orientation = orientation;
   own.at = at;
   outlines[piece.value] = oriented_outline(marker, piece, sums);
-  pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at, turned_match(own));
+  if (own.rules.part) parts[piece.value] = marker::oriented_part(own, sums);
+  pieces.replace(piece.value, oriented(marker.shapes[own.shape.value].outline, orientation), at, turned_match(own),
+                 turned_part(own));
 }
 
 std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PiecePair> pairs, const Executor& executor,
                                                   const std::stop_token& stop) const {
   std::vector<minkowski::OutlinePair> asked;
   asked.reserve(pairs.size());
-  for (const auto& [p, q] : pairs) asked.emplace_back(&outlines[p], &outlines[q]);
+  for (const auto& [p, q] : pairs) asked.emplace_back(&outline_facing(p, q), &outline_facing(q, p));
   return sums.obstacles(asked, executor, stop);
 }
 

@@ -29,7 +29,12 @@ struct Scene {
   void reorient(PieceId piece, const Orientation& orientation, Vec at);
   // The obstacle that the first piece of the pair is to the second one.
   [[nodiscard]] minkowski::Obstacle obstacle(marker::PiecePair pair) const {
-    return sums.obstacle(outlines[pair.first], outlines[pair.second]);
+    const auto [p, q] = pair;
+    return sums.obstacle(outline_facing(p, q), outline_facing(q, p));
+  }
+  // The outline of a piece, or of its part where the other one meets nothing else of it.
+  [[nodiscard]] const outline::OrientedOutline& outline_facing(std::size_t piece, std::size_t other) const {
+    return pieces.shows_part(piece, other) ? parts[piece] : outlines[piece];
   }
   // One for each pair; none when cancelled.
   [[nodiscard]] std::vector<minkowski::Obstacle> obstacles(std::span<const marker::PiecePair> pairs,
@@ -44,6 +49,7 @@ struct Scene {
   SumCache& sums;
   marker::PlacedPieces pieces;
   std::vector<outline::OrientedOutline> outlines;
+  std::vector<outline::OrientedOutline> parts;  // by piece, as parts_of says
   model::Ties ties;
 };
 

@@ -22,6 +22,7 @@ constexpr std::string_view kRuleStyle = R"(<style>
 .repeat { stroke: #7b86a8; stroke-width: 0.5; stroke-dasharray: 1 2; }
 .match { stroke: #2f3f7a; stroke-width: 1; }
 .shade-name { font-size: 8px; fill: #8a5a1c; }
+.part { fill: none; stroke: #b0762a; stroke-width: 1; stroke-dasharray: 4 2; }
 .zone { fill: #8f8a82; fill-opacity: 0.7; stroke: #b3423a; stroke-width: 1; stroke-dasharray: 3 2; }
 .quality { fill: url(#hatched); stroke: #b0762a; stroke-width: 1; stroke-dasharray: 3 2; }
 </style>
@@ -95,6 +96,19 @@ std::string shades(const Marker& marker, const View& view) {
   return out;
 }
 
+// The parts of pieces that accept less of the cloth's quality than the rest.
+std::string parts(const Marker& marker, const View& view) {
+  std::string out;
+  for (const Piece& piece : marker.pieces) {
+    if (!piece.rules.part) continue;
+    Polygon part = turned_part(piece);
+    for (Vec& v : part) v = v + piece.at;
+    if (!view.shows(box_of(part))) continue;
+    out += "<path class=\"part\" d=\"" + outline_path(part, view) + "\"/>\n";
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string rules(const Marker& marker, const View& view) {
@@ -111,6 +125,7 @@ std::string rules(const Marker& marker, const View& view) {
   out += bands(marker, view);
   if (strip.repeat.any()) out += pattern(marker, view);
   if (marker.shade) out += shades(marker, view);
+  out += parts(marker, view);
   const auto any = [&marker](auto test) { return std::any_of(marker.pieces.begin(), marker.pieces.end(), test); };
   const bool flawed = any([](const Piece& p) { return p.rules.zone; });
   const bool hatched = any([](const Piece& p) { return p.rules.zone && p.rules.quality; });

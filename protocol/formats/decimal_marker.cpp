@@ -84,6 +84,10 @@ void add_rules(Survey& all, const DecimalRules& rules, const std::string& at) {
     all.add(rules.match->x, at + "/match");
     all.add(rules.match->y, at + "/match");
   }
+  for (const Decimal& corner : rules.part ? rules.part->outline : std::vector<Decimal>{}) {
+    all.add(corner.x, at + "/part/outline");
+    all.add(corner.y, at + "/part/outline");
+  }
 }
 
 Survey survey(const DecimalMarker& written, const ShapeIndex& shapes) {

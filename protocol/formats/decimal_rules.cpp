@@ -18,6 +18,20 @@ std::optional<std::string_view> first_beyond(std::initializer_list<NamedLength> 
   return beyond == lengths.end() ? std::nullopt : std::optional{beyond->second};
 }
 
+marker::Part part_on_lattice(const DecimalPart& written, Resolution resolution) {
+  marker::Part part{{}, written.quality};
+  for (const Decimal& corner : written.outline)
+    part.outline.push_back({to_lattice(corner.x, resolution), to_lattice(corner.y, resolution)});
+  return part;
+}
+
+DecimalPart decimal_part(const marker::Part& part, Resolution resolution) {
+  DecimalPart written{{}, part.quality};
+  for (const Vec corner : part.outline)
+    written.outline.push_back({to_decimal(corner.x, resolution), to_decimal(corner.y, resolution)});
+  return written;
+}
+
 }  // namespace
 
 marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution) {
@@ -34,6 +48,7 @@ marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolutio
   rules.nap = written.nap;
   rules.zone = written.zone.value_or(false);
   rules.quality = written.quality;
+  if (written.part) rules.part = part_on_lattice(*written.part, resolution);
   return rules;
 }
 
@@ -51,18 +66,25 @@ DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution) {
                        .shade = {},
                        .nap = rules.nap,
                        .zone = {},
-                       .quality = rules.quality};
+                       .quality = rules.quality,
+                       .part = {}};
   if (rules.on_fold) written.fold = true;
   if (rules.match)
     written.match = Decimal{to_decimal(rules.match->x, resolution), to_decimal(rules.match->y, resolution)};
   if (!rules.match_set.empty()) written.match_set = rules.match_set;
   if (!rules.shade.empty()) written.shade = rules.shade;
   if (rules.zone) written.zone = true;
+  if (rules.part) written.part = decimal_part(*rules.part, resolution);
   return written;
 }
 
 std::optional<std::string_view> beyond_lattice(const DecimalRules& written, Resolution resolution) {
   const Decimal match = written.match.value_or(Decimal{});
+  const auto beyond = [resolution](const Decimal& corner) {
+    return !geometry::fits_lattice(corner.x, resolution) || !geometry::fits_lattice(corner.y, resolution);
+  };
+  if (written.part && std::any_of(written.part->outline.begin(), written.part->outline.end(), beyond))
+    return "/part/outline";
   return first_beyond({{written.below, "/below"},
                        {written.above, "/above"},
                        {written.from, "/from"},
@@ -116,6 +138,10 @@ Type Wire<formats::Decimal>::type() {
 void Wire<formats::Decimal>::read(const FieldAt& at, formats::Decimal& value) {
   const Json& read = at.fields.array(at.key);
   if (!at.mistake) value = formats::read_point(read, at.pointer(), at.mistake);
+}
+
+formats::Decimal Wire<formats::Decimal>::read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
+  return formats::read_point(value, at, mistake);
 }
 
 }  // namespace selvage::protocol::schema

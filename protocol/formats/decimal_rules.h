@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/marker/rules.h"
 #include "protocol/json/fields.h"
@@ -27,6 +28,7 @@ struct Wire<formats::Decimal> {
   static Type type();
   static Json write(const formats::Decimal& value) { return Json::array({value.x, value.y}); }
   static void read(const FieldAt& at, formats::Decimal& value);
+  static formats::Decimal read_entry(const Json& value, const std::string& at, json::Mistake& mistake);
 };
 
 }  // namespace selvage::protocol::schema
@@ -47,6 +49,22 @@ struct Choices<marker::Nap> {
 
 namespace selvage::protocol::formats {
 
+struct DecimalPart {
+  static constexpr std::string_view kName = "PiecePart",
+                                    kMeaning =
+                                        "A part of a piece that accepts less of the cloth's quality than the rest.";
+  std::vector<Decimal> outline;
+  marker::Quality quality{};
+
+  static void describe(auto& v, auto& self) {
+    v.required("outline", self.outline, "Its corners, in the coordinates of the shape and within its outline.",
+               {.entries = {{3, geometry::kMaxVertices}}, .entries_are = "corners"});
+    v.optional("quality", self.quality, "The worst quality class that it accepts, less than that of the piece.",
+               {.range = {{0, marker::kWorstQuality - 1}}});
+  }
+  friend bool operator==(const DecimalPart&, const DecimalPart&) = default;
+};
+
 struct DecimalRules {
   static constexpr std::string_view kName = "PieceRules", kMeaning = "Where on the strip a piece may lie.";
   static constexpr schema::Limits kRule{.range = {{0, 1e9}}};  // lengths
@@ -58,6 +76,7 @@ struct DecimalRules {
   std::optional<marker::Nap> nap;
   std::optional<bool> zone;
   std::optional<marker::Quality> quality;
+  std::optional<DecimalPart> part;
 
   static void describe(auto& v, auto& self) {
     v.optional("below", self.below, "Its distance from the strip's lower edge, in place of the strip's own.", kRule);
@@ -81,6 +100,7 @@ struct DecimalRules {
         "The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a "
         "zone: the class of its cloth, from 1; absent: one that no piece accepts.",
         {.range = {{0, marker::kWorstQuality}}});
+    v.optional("part", self.part, "The part of it that accepts less than the rest, such as the one that is seen.");
   }
   friend bool operator==(const DecimalRules&, const DecimalRules&) = default;
 };

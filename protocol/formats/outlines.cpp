@@ -24,9 +24,14 @@ Json outlines_document(const Marker& marker) {
     if (const marker::Rules& rules = marker.pieces[i].rules; rules != marker::Rules{}) {
       Json& written = pieces.back()["rules"] = schema::encode(decimal_rules(rules, marker.resolution));
       if (rules.nap) written["rotation"] = marker.pieces[i].orientation.rotation.degrees;  // which outlines do not show
-      // Where it lies, as the outline: the shape's own coordinates say nothing here.
+      // Where they lie, as the outline: the shape's own coordinates say nothing here.
       if (rules.match) {
         written["match"] = point_json(marker.pieces[i].at + turned_match(marker.pieces[i]), marker.resolution);
+      }
+      if (rules.part) {
+        Polygon part = turned_part(marker.pieces[i]);
+        for (Vec& v : part) v = v + marker.pieces[i].at;
+        written["part"]["outline"] = outline_json(part, marker.resolution);
       }
     }
   }

@@ -269,6 +269,16 @@ class DxfWriter {
     tag(70, "1");  // not shown
   }
 
+  // An attribute for each coordinate: a text of DXF holds 255 bytes at most.
+  void write_part(const Spot& at, const marker::Part& part) {
+    attribute(at, "PART_QUALITY", std::to_string(part.quality));
+    for (std::size_t corner = 0; corner < part.outline.size(); ++corner) {
+      const Spot drawn = decimal(part.outline[corner]);
+      attribute(at, "PART_X" + std::to_string(corner), json::number_text(drawn.x));
+      attribute(at, "PART_Y" + std::to_string(corner), json::number_text(drawn.y));
+    }
+  }
+
   void write_insert(std::size_t k) {
     const Piece& piece = marker_.pieces[k];
     const Spot at = decimal(piece.at);
@@ -300,6 +310,7 @@ class DxfWriter {
     if (!piece.rules.match_set.empty()) attribute(at, "MATCH_SET", piece.rules.match_set);
     if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
     if (piece.rules.quality) attribute(at, "QUALITY", std::to_string(*piece.rules.quality));
+    if (piece.rules.part) write_part(at, *piece.rules.part);
     if (piece.rules.nap) attribute(at, "NAP", *piece.rules.nap == marker::Nap::kUp ? "up" : "down");
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");

@@ -42,7 +42,8 @@ std::size_t bytes_in(const Json& value) {
 }
 
 std::size_t bytes_in(const Piece& piece) {
-  return bytes_in(piece.id) + bytes_in(piece.group) + bytes_in(piece.rules.shade);
+  return bytes_in(piece.id) + bytes_in(piece.group) + bytes_in(piece.rules.shade) +
+         (piece.rules.part ? bytes_in(piece.rules.part->outline) : 0);
 }
 
 template <class Element>

@@ -125,6 +125,27 @@ class Convert(unittest.TestCase):
         self.convert(laid, outlines, "--format", "outlines")
         self.assertEqual(subprocess.run([sys.executable, "-B", JUDGE, outlines], check=False).returncode, 0)
 
+    def test_only_the_rest_of_a_piece_lies_on_cloth_that_its_part_does_not_accept(self):
+        plain, out, laid, nest, outlines = map(self.path, ("plain.json", "o.json", "laid.json", "nest.dxf", "outlines.json"))
+        source = EXAMPLES / "accumark_like_nest.dxf"
+        self.convert(source, plain, "--width", 700)
+        front = next(shape for shape in json.loads(plain.read_text())["shapes"] if shape["id"] == "FRONT/34")
+        middle = sum(x for x, _ in front["outline"]) / len(front["outline"])
+        seen = [point for point in front["outline"] if point[0] > middle]  # three corners
+        self.convert(source, out, "--width", 700, "--zones", '[{"from": [200, 0], "to": [500, 700], "quality": 1}]',
+                     "--piece-rules", json.dumps([{"shape": "FRONT/34", "rules": {"quality": 1, "part": {"outline": seen}}}]))
+        self.assertEqual(run("nest", out, "--from-scratch", "--time", 3, "-o", laid).returncode, 0)
+        self.assertEqual(run("check", laid).returncode, 0)
+        self.convert(laid, outlines, "--format", "outlines")
+        self.assertEqual(subprocess.run([sys.executable, "-B", JUDGE, outlines], check=False).returncode, 0)
+        fronts = [piece for piece in json.loads(outlines.read_text())["pieces"] if "part" in piece.get("rules", {})]
+        self.assertEqual(len(fronts), 2)
+        self.assertTrue(any(x < 500 for piece in fronts for x, _ in piece["outline"]))
+        self.convert(laid, nest)
+        self.convert(nest, out)
+        parts = [piece["rules"]["part"] for piece in json.loads(out.read_text())["pieces"] if "part" in piece.get("rules", {})]
+        self.assertEqual(parts, [{"outline": seen, "quality": 0}] * 2)
+
     def test_rules_that_cannot_be_read_are_refused(self):
         source = EXAMPLES / "gemini_like.cut"
         for option, value, code, reason in (("--zones", "[[1, 2]]", 3, "/zones/0"), ("--zones", "[", 3, "syntax"), ("--margin-below", "-1", 2, "range"),

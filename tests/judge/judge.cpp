@@ -122,9 +122,24 @@ bool lies_on_fold(const Polygon& outline, Coord at, const Strip& strip) {
   return has_side_at_height(outline, -at) || (strip.tube && has_side_at_height(outline, strip.width - at));
 }
 
-// True for a zone and a piece for which the zone's cloth is good enough.
+// True for a zone and a piece for which the zone's cloth is good enough, but for a part of the piece.
 bool is_good_enough(const marker::Rules& zone, const marker::Rules& piece) {
   return zone.zone && !piece.zone && zone.quality.has_value() && piece.quality.value_or(0) >= zone.quality.value();
+}
+
+// True when the interior of the piece's part and that of the zone, which is good enough for the rest, share a point.
+bool spoils_part(const Piece& zone, const Polygon& outline_of_zone, const Piece& piece) {
+  if (!piece.rules.part || piece.rules.part->quality >= zone.rules.quality.value()) return false;
+  const Polygon part = oriented(piece.rules.part->outline, piece.orientation);
+  return interiors_share(part, moved_by(outline_of_zone, {zone.at.x - piece.at.x, zone.at.y - piece.at.y}));
+}
+
+// What is wrong with a part as it is turned; empty when nothing.
+std::string part_fault(const Piece& piece) {
+  if (!piece.rules.part) return "";
+  const Polygon& drafted = piece.rules.part->outline;
+  const std::string fault = outline_fault(drafted, piece.orientation, oriented(drafted, piece.orientation));
+  return fault.empty() ? "" : "has a part that " + fault;
 }
 
 // The remainder of a coordinate by the repeat, from 0.
@@ -269,6 +284,7 @@ std::string Judge::fault_of(const Marker& marker) {
     }
     if (piece.rules.on_fold && !lies_on_fold(cut.outline, piece.at.y, marker.strip))
       return about(piece, "has no side on the fold");
+    if (const auto fault = part_fault(piece); !fault.empty()) return about(piece, fault);
     if (const auto fault = match_fault(piece, marker.strip.repeat); !fault.empty()) return about(piece, fault);
     if (piece.rules.nap) {
       const double ahead = std::cos(piece.orientation.rotation.degrees * std::numbers::pi / 180);
@@ -283,7 +299,14 @@ std::string Judge::fault_of(const Marker& marker) {
       const Piece& p = marker.pieces[i];
       const Piece& q = marker.pieces[j];
       if (p.rules.zone && q.rules.zone) continue;
-      if (is_good_enough(p.rules, q.rules) || is_good_enough(q.rules, p.rules)) continue;
+      if (is_good_enough(p.rules, q.rules) || is_good_enough(q.rules, p.rules)) {
+        const bool zone_first = p.rules.zone;
+        const Piece& on_it = zone_first ? q : p;
+        const Piece& cloth = zone_first ? p : q;
+        if (spoils_part(cloth, cut_of(marker, cloth).outline, on_it))
+          return about(on_it, "has its part on " + cloth.id);
+        continue;
+      }
       const bool zone = p.rules.zone || q.rules.zone;
       const Coord spacing = zone ? 0 : std::max(marker.spacing, p.buffer + q.buffer);
       const Coord allowed = zone ? 0 : std::min(p.overlap.value_or(marker.overlap), q.overlap.value_or(marker.overlap));

@@ -13,7 +13,8 @@ them, no longer than the smaller of their two, separates them; it is looked for 
 Pieces keep cloth's rules: the distances `below` and `above` from the long edges, the piece's own or else the strip's; `from`
 and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins; `fold`, on which its lowest side lies, or its highest one on the upper edge of a tube; and all pieces of one shade
 lie within the length `shade`.  A piece with the rule `zone` is a part of the cloth: it may lie anywhere and over other
-zones, but no piece may overlap it, unless the zone has a `quality` that is at most the piece's; its own allowance is 0.
+zones, but no piece may overlap it, unless the zone has a `quality` that is at most the piece's; its own allowance is 0.  A `part` of a piece, an outline of
+its own, has a quality of its own: it may not overlap zones that are worse.
 
 Two pieces overlap when some vertical line intersects both in intervals that share more than a point.  Between the
 abscissas of two neighbouring vertices, a piece is a stack of trapezoids, so it suffices to compare trapezoids: two
@@ -46,10 +47,11 @@ class Edge(NamedTuple):
 
 
 class Piece:
-    def __init__(self, name, outline, allowance=0, zone=False, quality=None):
+    def __init__(self, name, outline, allowance=0, zone=False, quality=None, part=None):
         self.name = name
         self.zone = zone
         self.quality = quality
+        self.part = part  # a Piece, or None
         self.outline = outline
         self.allowance = allowance
         self.abscissas = sorted({x for x, _ in outline})
@@ -188,13 +190,25 @@ def may_share_cloth(one, other):
     return zone.quality is not None and zone.quality <= (piece.quality or 0)
 
 
+def meeting(one, other):
+    """The two outlines that may not overlap: the pieces, or the part of a piece and a zone that is good enough for the
+    rest of it; None when the pieces may lie over each other."""
+    if not may_share_cloth(one, other):
+        return one, other
+    for piece, zone in ((one, other), (other, one)):
+        if zone.zone and piece.part and not may_share_cloth(piece.part, zone):
+            return piece.part, zone
+    return None
+
+
 def overlaps(pieces):
     """Yields (one, other, abscissas) for every pair with a forbidden overlap."""
     near = []
     for piece in sorted(pieces, key=lambda p: p.low_x):
         near = [other for other in near if other.high_x > piece.low_x]
         for other in near:
-            where = None if may_share_cloth(other, piece) else overlap(other, piece)
+            met = meeting(other, piece)
+            where = overlap(*met) if met else None
             if where and not may_overlap(other, piece):
                 yield other, piece, where
         near.append(piece)
@@ -237,6 +251,7 @@ def violations(layout):
     """Yields a sentence for every violation in a layout, which is given as `read` returns it."""
     numbers = [layout["strip_height"], layout["strip_length"]]
     numbers += [c for piece in layout["pieces"] for point in piece["outline"] for c in point]
+    numbers += [c for piece in layout["pieces"] for point in piece.get("rules", {}).get("part", {}).get("outline", []) for c in point]
     numbers += [piece.get("overlap", 0) for piece in layout["pieces"]]
     repeat = layout.get("repeat", {})
     numbers += [value for key, value in repeat.items() if key != "phase"] + list(repeat.get("phase", []))
@@ -250,13 +265,20 @@ def violations(layout):
 
     height, length = whole(layout["strip_height"]), whole(layout["strip_length"])
     scaled = lambda rules: {k: v if isinstance(v, (bool, str)) or k in ("rotation", "quality") else [whole(c) for c in v] if isinstance(v, list) else whole(v)
-                            for k, v in rules.items()}
+                            for k, v in rules.items() if k != "part"}
     strip = {"height": height, "tube": layout.get("tube", False), **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
     sound, shaded = [], []
     for written in layout["pieces"]:
         outline = [(whole(x), whole(y)) for x, y in written["outline"]]
         own = written.get("rules", {})
         piece = Piece(f'"{written["id"]}"', outline, whole(written.get("overlap", 0)), own.get("zone", False), own.get("quality"))
+        if "part" in own:
+            corners = [(whole(x), whole(y)) for x, y in own["part"]["outline"]]
+            piece.part = Piece(f"the part of {piece.name}", corners, 0, False, own["part"].get("quality", 0))
+            fault = fault_of_outline(piece.part)
+            if fault:
+                yield f"piece {piece.name}: its part {fault}"
+                piece.part = None
         fault = fault_of_outline(piece)
         if fault:
             yield f"piece {piece.name}: its outline {fault}"

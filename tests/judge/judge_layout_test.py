@@ -124,6 +124,18 @@ class ClothsRules(Judged):
         self.breaks("overlap", square, zone, rules=[{}, {"zone": True, "quality": 1}])
         self.breaks("overlap", square, zone, rules=[{"quality": 99}, {"zone": True}])
 
+    def test_parts_of_pieces_lie_on_no_zone_that_is_too_bad_for_them(self):
+        square, zone = box(10, 10, 10, 10), {"zone": True, "quality": 2}
+        seen = lambda quality: {"quality": 2, "part": {"outline": box(16, 10, 4, 10), "quality": quality}}
+        self.keeps(square, box(5, 0, 11, 30), rules=[seen(0), zone])
+        self.breaks("overlap", square, box(5, 0, 11 + LEAST, 30), rules=[seen(0), zone])
+        self.breaks("overlap", square, box(5, 0, 11 + LEAST, 30), rules=[seen(1), zone])
+        self.keeps(square, box(5, 0, 11 + LEAST, 30), rules=[seen(2), zone])
+        self.keeps(square, box(5, 0, 11 + LEAST, 30), rules=[seen(1), {"zone": True, "quality": 1}])
+        self.breaks("overlap", square, box(5, 0, 11, 30), rules=[{**seen(0), "quality": 1}, zone])
+        bow_tie = {"quality": 2, "part": {"outline": [(10, 10), (20, 20), (20, 10), (10, 20)]}}
+        self.breaks("its part crosses itself", square, rules=[bow_tie])
+
     def test_pieces_lie_with_their_nap(self):
         square = box(10, 10, 10, 10)
         for rotation in (0, 89, -89, 360, -360):

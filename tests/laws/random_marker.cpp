@@ -100,6 +100,22 @@ void add_qualities(Random& random, Marker& marker) {
   }
 }
 
+// Gives pieces that accept worse cloth a part that does not: a triangle of corners.
+void add_parts(Random& random, Marker& marker) {
+  for (Piece& piece : marker.pieces) {
+    const marker::Quality worst = piece.rules.quality.value_or(0);
+    if (piece.rules.zone || worst == 0 || random.chance(50)) continue;
+    const Polygon& outline = marker.shapes[piece.shape.value].outline;
+    const std::size_t first = random.below(outline.size() - 2);
+    const std::size_t second = first + 1 + random.below(outline.size() - first - 2);
+    const Polygon corners{outline[first], outline[second], outline.back()};
+    const auto part = clean_polygon(corners);
+    if (!part) continue;
+    piece.rules.part = marker::Part{part->polygon, static_cast<marker::Quality>(random.below(worst))};
+    if (!part_is_polygon(piece)) piece.rules.part.reset();
+  }
+}
+
 // Places some pieces on zones that they accept.
 void cover_zones(Random& random, Marker& marker) {
   for (Piece& zone : marker.pieces) {
@@ -222,6 +238,7 @@ Marker random_marker_with_rules(Random& random) {
     marker.strip.above = random.between(0, std::min(marker.strip.width - highest, marker.strip.width / 4));
   if (random.chance(40)) match_to_cloth(random, marker);
   if (random.chance(50)) add_qualities(random, marker);
+  add_parts(random, marker);
   cover_zones(random, marker);
   if (longest > 0) marker.shade = longest + (random.chance(50) ? 0 : random.between(0, longest / 4));
   return marker;

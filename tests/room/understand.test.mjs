@@ -251,6 +251,39 @@ test("a piece is matched to the pattern where it lies, and its match point can b
   assert.deepEqual((await matched()).rules ?? {}, {});
 }));
 
+// A stain under the second square, whose right half is seen.
+const stained = {
+  ...squares(2),
+  pieces: [...squares(2).pieces, { id: "stain", shape: "square", at: [20, 60], rules: { zone: true, quality: 2 } }],
+};
+stained.pieces[1] = { ...stained.pieces[1], at: [50, 50] };
+test("the quality of cloth that a piece accepts is entered, and the part of it that accepts less is drawn", onMarker(stained, async (page, port, markerId) => {
+  const validity = (said) => page.until(`(document.querySelector("#length + .figure-side").textContent === "not valid") === ${!said}`, said ? "valid" : "not valid");
+  const rulesOf = async () => (await call(port, "marker.get", { markerId })).marker.pieces.find(({ id }) => id === "p1").rules ?? {};
+  await validity(false);
+  await page.click("#tab-pieces");
+  const [x, y] = await spot(page, "p1");
+  await page.drag([x, y], [x, y]);
+  await page.click("#piece-rules summary");
+  await page.enter("#rule-quality", "2");
+  await atRevision(page, 2);
+  assert.deepEqual(await rulesOf(), { quality: 2 });
+  await validity(true);
+  assert.match(await page.text("#piece-rules summary"), /Cloth down to quality 2/);
+  const whole = await shows(page, "#base");
+  const part = { outline: [[20, 0], [40, 0], [40, 40], [20, 40]], quality: 1 };
+  await call(port, "marker.apply", { markerId, ops: [{ op: "rules", piece: "p1", rules: { quality: 2, part } }] });
+  await page.until(`document.querySelector("#piece-rules summary").textContent.includes("A part of it down to 1")`, "the part");
+  assert.notEqual(await shows(page, "#base"), whole);
+  await validity(true); // the stain lies under the other half
+  // Another rule leaves the part as it is.
+  const now = await revision(page);
+  await page.enter("#rule-shade", "M-A");
+  await atRevision(page, now + 1);
+  assert.deepEqual(await rulesOf(), { shade: "M-A", quality: 2, part });
+  assert.equal((await call(port, "marker.check", { markerId })).valid, true);
+}));
+
 const bundled = { ...squares(3), pieces: squares(3).pieces.map((piece, k) => ({ ...piece, attributes: { bundle: k < 2 ? "M-A" : "M-B" } })) };
 test("pieces are coloured by bundle, with a legend", onMarker(bundled, async (page) => {
   await inSettings(page, () => set(page, "Colour pieces by", "bundle"));

@@ -177,6 +177,7 @@ export const english = {
   ruleNapDown: "Nap: down",
   ruleZone: "Zone that no piece may cover",
   ruleQuality: "Cloth down to quality",
+  rulePart: "A part of it down to",
   ruleMatch: "Matched to the pattern",
   ruleOther: "Rule",
   bestTilts: "Tilts that would shorten",

@@ -173,6 +173,7 @@ export const german: Texts = {
   ruleNapDown: "Strich: gegen",
   ruleZone: "Stelle, die frei bleibt",
   ruleQuality: "Stoff bis Güteklasse",
+  rulePart: "Ein Teil davon bis",
   ruleMatch: "Rapport des Musters",
   ruleOther: "Regel",
   bestTilts: "Neigungen, die verkürzen würden",

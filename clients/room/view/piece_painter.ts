@@ -1,3 +1,4 @@
+import type { Point } from "../../typescript/src/index";
 import { isLocked, type Piece } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import type { Camera } from "./camera";
@@ -60,6 +61,19 @@ export function paintPiece(brush: Brush, piece: Piece, pose: Pose, colouring: Co
   context.strokeStyle = colours.line;
   context.lineWidth = (colours.contrast ? 1.6 : 0.9) / camera.scale;
   context.stroke(path);
+  if (piece.rules.part) paintPart(brush, piece.rules.part.outline);
+}
+
+/** The part of a piece that accepts less of the cloth's quality; the canvas has its coordinates. */
+function paintPart({ context, camera, colours }: Brush, corners: readonly Point[]): void {
+  context.beginPath();
+  for (const [x, y] of corners) context.lineTo(x, y);
+  context.closePath();
+  context.strokeStyle = colours.chain;
+  context.lineWidth = 1.2 / camera.scale;
+  context.setLineDash([4 / camera.scale, 2 / camera.scale]);
+  context.stroke();
+  context.setLineDash([]);
 }
 
 /** Draws the grain line, the name and the marks of locks, where there is room for them. */

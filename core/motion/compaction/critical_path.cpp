@@ -113,8 +113,10 @@ class Loads {
     if (worth < tuning_.least_worth) return;
     const auto [p, q] = row.pair;
     const Coord near = std::llround(in_widths(tuning_.contact)) + scene_.pieces.spacing(row.pair);
-    const RealVec at = nearest_point(scene_.pieces[p], scene_.pieces[q]);
-    if (marker::collide(scene_.pieces[p], scene_.pieces[q], near)) {
+    const geometry::PlacedPolygon first = scene_.pieces.facing(p, q);
+    const geometry::PlacedPolygon second = scene_.pieces.facing(q, p);
+    const RealVec at = nearest_point(first, second);
+    if (marker::collide(first, second, near)) {
       path.contacts.push_back({PieceId{p}, PieceId{q}, {}, worth, at});
     }
     path.per_spacing += worth;

@@ -72,7 +72,8 @@ class Attempt {
       if (!other) continue;
       const marker::PiecePair pair = pair_of(gap.gap);
       if (gap.least <= moved.spacing(pair)) continue;
-      if (marker::collide(moved[pair.first], moved[pair.second], gap.least)) broken.push_back(pair);
+      const auto [p, q] = pair;
+      if (marker::collide(moved.facing(p, q), moved.facing(q, p), gap.least)) broken.push_back(pair);
     }
     if (!broken.empty()) return broken;
     const double gain = worth_of(aim_, gaps_, widths, moved) - worth_;

@@ -62,7 +62,8 @@ std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Strip
 double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Strip& strip, double reach) {
   if (const PieceId* other = other_piece(gap)) {
     if (const Coord overlap = overlap_of(pieces, pair_of(gap)); overlap > 0) return -static_cast<double>(overlap);
-    return distance_within(pieces[gap.piece.value], pieces[other->value], reach);
+    return distance_within(pieces.facing(gap.piece.value, other->value), pieces.facing(other->value, gap.piece.value),
+                           reach);
   }
   const Coord width = width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value),
                                     room_on(strip, pieces, gap.piece.value));
@@ -72,7 +73,8 @@ double width_within(const Gap& gap, const marker::PlacedPieces& pieces, const St
 Coord whole_width_within(const Gap& gap, const marker::PlacedPieces& pieces, const Strip& strip, Coord reach) {
   if (const PieceId* other = other_piece(gap)) {
     if (const Coord overlap = overlap_of(pieces, pair_of(gap)); overlap > 0) return -overlap;
-    return whole_distance_within(pieces[gap.piece.value], pieces[other->value], reach);
+    return whole_distance_within(pieces.facing(gap.piece.value, other->value),
+                                 pieces.facing(other->value, gap.piece.value), reach);
   }
   return std::min(reach, width_to_edge(std::get<StripEdge>(gap.opposite), pieces.box(gap.piece.value),
                                        room_on(strip, pieces, gap.piece.value)));

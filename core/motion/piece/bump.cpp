@@ -172,7 +172,8 @@ class Bumper {
     for (const Met& met : met_) {
       if (met.other == other && met.member == member) return met.obstacle;
     }
-    met_.push_back({other, member, scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member])});
+    met_.push_back({other, member,
+                    scene_.sums.obstacle(scene_.outline_facing(other, member), scene_.outline_facing(member, other))});
     return met_.back().obstacle;
   }
   void add_edge(double nx, double ny, double slack) {

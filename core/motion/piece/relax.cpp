@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/marker/clearance.h"
+#include "core/marker/validity.h"
 #include "core/minkowski/inner_fit.h"
 #include "core/model/pair_rows.h"
 #include "core/motion/piece/largest_square.h"
@@ -29,6 +30,8 @@ class Relaxer {
     const geometry::SplitOrientation parts = split(piece_.orientation);
     outline_ = {scene.sums.outline(turned(scene.marker.shapes[piece_.shape.value].outline, parts.turn)),
                 parts.symmetry};
+    part_ = turned_part(piece_);
+    if (piece_.rules.part) part_outline_ = marker::oriented_part(piece_, scene.sums);
   }
 
   // The best position that could be proved, if any.
@@ -57,6 +60,7 @@ class Relaxer {
     return scene.pieces.room_among(index, moving, scene.marker.strip, scene.pieces.length());
   }
   [[nodiscard]] geometry::PlacedPolygon placed() const { return {polygon_, box_, piece_.at}; }
+  [[nodiscard]] geometry::PlacedPolygon placed_part() const { return {part_, box_, piece_.at}; }
 
   void build_cell() {
     cell_.clear();
@@ -66,9 +70,11 @@ class Relaxer {
       if (!near.overlaps(scene_.pieces.box(other))) continue;
       const geometry::PlacedPolygon still = scene_.pieces[other];
       const Coord spacing = scene_.pieces.spacing({index_, other});
-      const minkowski::Obstacle obstacle = scene_.sums.obstacle(scene_.outlines[other], outline_);
+      const bool by_part = scene_.pieces.shows_part(index_, other);
+      const minkowski::Obstacle obstacle =
+          scene_.sums.obstacle(scene_.outlines[other], by_part ? part_outline_ : outline_);
       const Vec r = piece_.at - still.at;
-      const bool apart = !overlap(still, placed());
+      const bool apart = !overlap(still, by_part ? placed_part() : placed());
       const Vec about = apart ? r : separation_target(obstacle, r, true, repair::TargetRule::kNearest).about;
       const auto region = model::region_within(3 * reach_, spacing);
       for (const model::FreeSide& side : model::free_sides({obstacle, r, about, spacing}, region)) {
@@ -85,7 +91,7 @@ class Relaxer {
   [[nodiscard]] bool valid() const {
     const Vec at = piece_.at;
     if (at.x < fit_.low.x || at.x > fit_.high.x || at.y < fit_.low.y || at.y > fit_.high.y) return false;
-    return is_clear(scene_.pieces, index_, placed());
+    return is_clear(scene_.pieces, index_, placed(), part_);
   }
 
   const scene::Scene& scene_;
@@ -93,10 +99,11 @@ class Relaxer {
   std::uint32_t index_;
   Piece piece_;
   Polygon polygon_;
+  Polygon part_;  // as the piece is turned; empty when it has none
   Box box_;
   Box fit_;  // positions within the piece's room and the marker's length
   double reach_;
-  outline::OrientedOutline outline_;
+  outline::OrientedOutline outline_, part_outline_;
   std::vector<CellSide> cell_;
 };
 

@@ -42,7 +42,7 @@ bool is_cuttable(const Marker& marker, const Piece& piece) {
   const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
   const Coord across = box_of(outline).height();
   const marker::FoldEdge fold = fold_edge(piece.rules, outline, marker.strip);
-  return static_cast<bool>(clean_polygon(outline)) &&
+  return clean_polygon(outline) && part_is_polygon(piece) &&
          across <= room_for(piece.rules, across, fold, marker.strip, kLatticeLimit).height();
 }
 

@@ -81,8 +81,9 @@ void Surroundings::append_near(const Body& body, const Body::Member& member, con
   for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
     if (!swept.touches(scene_.pieces.box(other)) || body.holds(other)) continue;
     if (scene_.pieces.may_share_cloth(member.piece, other)) continue;
-    near_.push_back({member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}),
-                     scene_.sums.obstacle(scene_.outlines[other], scene_.outlines[member.piece])});
+    near_.push_back(
+        {member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}),
+         scene_.sums.obstacle(scene_.outline_facing(other, member.piece), scene_.outline_facing(member.piece, other))});
     first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
     append_lines(near_.back(), window);
   }
@@ -130,9 +131,9 @@ bool Surroundings::forbids(std::size_t obstacle, RealVec point) const {
 
 bool Surroundings::free(Vec position) const {
   return std::none_of(near_.begin(), near_.end(), [&](const Near& near) {
-    geometry::PlacedPolygon moved = scene_.pieces[near.member];
+    geometry::PlacedPolygon moved = scene_.pieces.facing(near.member, near.other);
     moved.at = position + near.offset;
-    const geometry::PlacedPolygon still = scene_.pieces[near.other];
+    const geometry::PlacedPolygon still = scene_.pieces.facing(near.other, near.member);
     return moved.placed_box().grown(near.spacing).overlaps(still.placed_box()) &&
            marker::collide(moved, still, near.spacing);
   });

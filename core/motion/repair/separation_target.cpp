@@ -68,7 +68,8 @@ SeparationTarget separation_target(const minkowski::Obstacle& obstacle, Vec r, b
 }
 
 SeparationTarget separation_target(const scene::Scene& scene, marker::PiecePair pair, TargetRule rule) {
-  const bool overlapping = overlap(scene.pieces[pair.first], scene.pieces[pair.second]);
+  const auto [p, q] = pair;
+  const bool overlapping = overlap(scene.pieces.facing(p, q), scene.pieces.facing(q, p));
   SeparationTarget target = separation_target(scene.obstacle(pair), scene.relative_position(pair), overlapping, rule);
   const Coord spacing = scene.pieces.spacing(pair);
   target.depth += static_cast<double>(spacing);

@@ -29,9 +29,10 @@ geometry::PlacedPolygon Obstacles::placed(std::uint32_t piece) const {
 
 minkowski::OutlinePair Obstacles::outlines(marker::PiecePair pair) const {
   const auto [p, q] = pair;
-  const bool own = tolerance_ == 0 ||
+  const bool by_part = scene_.pieces.shows_part(p, q) || scene_.pieces.shows_part(q, p);
+  const bool own = tolerance_ == 0 || by_part ||
                    closer_than(placed(p), placed(q), std::max(scene_.pieces.spacing(pair), Coord{0}) + tolerance_);
-  if (own) return {&scene_.outlines[p], &scene_.outlines[q]};
+  if (own) return {&scene_.outline_facing(p, q), &scene_.outline_facing(q, p)};
   return {&grown_[grown_of_[p]].outline, &grown_[grown_of_[q]].outline};
 }
 

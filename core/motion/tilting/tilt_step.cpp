@@ -88,7 +88,8 @@ class Program {
     const auto allowance = static_cast<double>(std::max(-spacing, Coord{0}));
     const model::tilting::TiltRowSettings row{turn_, 1.5 * reach, (overlaps ? 2 * target.depth : 0) + allowance,
                                               spacing + clearance(), model_.positions().unit()};
-    return tilt_rows(pair, scene_.pieces[pair.first], scene_.pieces[pair.second], sides, row);
+    const auto [p, q] = pair;
+    return tilt_rows(pair, scene_.pieces.facing(p, q), scene_.pieces.facing(q, p), sides, row);
   }
 
   [[nodiscard]] TiltStep solved(lp::solver::SolverChoice solver, const std::stop_token& stop) const {

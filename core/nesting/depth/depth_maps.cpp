@@ -34,7 +34,7 @@ MapView DepthMaps::view(const layout::Turned& first, const layout::Turned& secon
 
 std::unique_ptr<DepthMap> DepthMaps::make(std::uint32_t first, std::uint32_t second, Symmetry relative) const {
   const minkowski::MinkowskiSum sum =
-      minkowski::obstacle_sum(*set_.outlines[first].outline, *set_.outlines[second].outline, relative);
+      minkowski::obstacle_sum(set_.facing(first, second), set_.facing(second, first), relative);
   return std::make_unique<DepthMap>(boundary_of(sum.edges(), set_.lattice_units),
                                     static_cast<float>(set_.clearance(first, second)), scale_);
 }

@@ -66,12 +66,17 @@ class Builder {
 
  private:
   using Limit = std::optional<Coord>;
+  using PartKey = std::pair<Polygon, marker::Quality>;
   using RulesKey = std::tuple<Limit, Limit, Limit, Limit, bool, std::optional<Vec>, std::optional<Vec>, std::string,
-                              std::optional<marker::Nap>, bool, std::optional<marker::Quality>>;
+                              std::optional<marker::Nap>, bool, std::optional<marker::Quality>, PartKey>;
   using KindKey = std::tuple<ShapeId, Coord, Coord, std::optional<Orientation>, RulesKey>;
-  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool, std::optional<marker::Quality>>;
+  using OutlineKey = std::tuple<ShapeId, Coord, Coord, Angle, bool, std::optional<marker::Quality>, PartKey>;
 
   [[nodiscard]] Coord overlap_of(const Piece& piece) const { return piece.overlap.value_or(marker_.overlap); }
+
+  [[nodiscard]] static PartKey part_key(const marker::Rules& rules) {
+    return rules.part ? PartKey{rules.part->outline, rules.part->quality} : PartKey{};
+  }
 
   [[nodiscard]] RulesKey key_of(const marker::Rules& rules) const {
     return {rules.below,
@@ -84,7 +89,8 @@ class Builder {
             marker_.shade ? rules.shade : "",
             rules.nap,
             rules.zone,
-            rules.quality};
+            rules.quality,
+            part_key(rules)};
   }
 
   [[nodiscard]] bool matched(const marker::Rules& rules) const {
@@ -114,7 +120,7 @@ class Builder {
       as_turned.orientation = orientation;
       if (!may_lie(marker_, as_turned)) continue;
       const Polygon polygon = oriented(shape.outline, orientation);
-      if (!clean_polygon(polygon)) continue;  // rounding to the lattice made it touch itself
+      if (!clean_polygon(polygon) || !part_is_polygon(as_turned)) continue;  // rounding made it touch itself
       kind.turned.push_back(turned(as_turned, shape, polygon));
     }
     return kind;
@@ -138,12 +144,13 @@ class Builder {
     const Box box = box_of(polygon);
     const auto [turn, symmetry] = split(piece.orientation);
     const Coord overlap = overlap_of(piece);
-    const marker::Rules on_cloth{.zone = piece.rules.zone, .quality = piece.rules.quality};
-    const auto [found, fresh] =
-        outlines_.try_emplace(OutlineKey{piece.shape, piece.buffer, overlap, turn, on_cloth.zone, on_cloth.quality},
-                              static_cast<std::uint32_t>(set_.outlines.size()));
+    const marker::Rules on_cloth{.zone = piece.rules.zone, .quality = piece.rules.quality, .part = piece.rules.part};
+    const auto [found, fresh] = outlines_.try_emplace(
+        OutlineKey{piece.shape, piece.buffer, overlap, turn, on_cloth.zone, on_cloth.quality, part_key(on_cloth)},
+        static_cast<std::uint32_t>(set_.outlines.size()));
     if (fresh) {
       set_.outlines.push_back({sums_.outline(geometry::turned(shape.outline, turn)), piece.buffer, overlap, on_cloth});
+      if (on_cloth.part) set_.outlines.back().part = sums_.outline(geometry::turned(on_cloth.part->outline, turn));
     }
     const auto units = [this](Coord coord) { return static_cast<double>(coord) / set_.lattice_units; };
     // A piece with a phase of its own is matched to the cloth's with a point that lies as far from it.
@@ -188,6 +195,11 @@ double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
   if (p.on_cloth.zone || q.on_cloth.zone) return 0;
   const Coord apart = std::max(spacing, p.buffer + q.buffer);
   return static_cast<double>(apart > 0 ? apart : -std::min(p.overlap, q.overlap)) / lattice_units;
+}
+
+const outline::Outline& PieceSet::facing(std::uint32_t outline, std::uint32_t other) const {
+  const BaseOutline& own = outlines[outline];
+  return only_part_meets(own.on_cloth, outlines[other].on_cloth) ? *own.part : *own.outline;
 }
 
 double PieceSet::across() const {

@@ -30,7 +30,9 @@ struct RealBox {
 struct BaseOutline {
   std::shared_ptr<const outline::Outline> outline;
   Coord buffer{}, overlap{};  // lattice units
-  marker::Rules on_cloth{};   // of its rules: whether it is a zone, from which pieces keep no distance, and its quality
+  marker::Rules on_cloth{};  // of its rules: whether it is a zone, from which pieces keep no distance, its quality, and
+                             // which part accepts less
+  std::shared_ptr<const outline::Outline> part{};  // turned as the outline is; null: there is none
 };
 
 // A kind of piece in one of its allowed orientations.
@@ -89,6 +91,8 @@ struct PieceSet {
   // The least signed distance between two pieces with these base outlines: negative when they may overlap, as
   // marker::PlacedPieces::spacing has it, 0 from a zone, and far below 0 when they may share their cloth.
   [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
+  // The base outline as another one meets it: a zone that is too bad for a part alone meets that part.
+  [[nodiscard]] const outline::Outline& facing(std::uint32_t outline, std::uint32_t other) const;
 };
 
 // What a search may move.

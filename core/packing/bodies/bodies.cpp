@@ -22,13 +22,19 @@ struct Figure {
   outline::OrientedOutline outline;
   Polygon polygon;  // oriented
   Box box;
+  outline::OrientedOutline part{};  // the part that accepts less of the cloth's quality, if the piece has one
+  Polygon part_polygon{};
 };
 
 Figure figure_of(Marker& scratch, std::uint32_t piece, const Orientation& orientation, const scene::Run& run) {
   scratch.pieces[piece].orientation = orientation;
   Polygon polygon = oriented(scratch.shapes[scratch.pieces[piece].shape.value].outline, orientation);
   const Box box = box_of(polygon);
-  return {marker::oriented_outline(scratch, PieceId{piece}, run.sums), std::move(polygon), box};
+  const Piece& turned = scratch.pieces[piece];
+  Figure figure{marker::oriented_outline(scratch, PieceId{piece}, run.sums), std::move(polygon), box};
+  if (turned.rules.part) figure.part = marker::oriented_part(turned, run.sums);
+  figure.part_polygon = turned_part(turned);
+  return figure;
 }
 
 Figure figure_of(const Polygon& wall, const scene::Run& run) {
@@ -39,12 +45,16 @@ Figure figure_of(const Polygon& wall, const scene::Run& run) {
   return figure;
 }
 
-// The polygon with its box's low corner at the origin, starting at its smallest vertex: equal for equal outlines.
-Polygon normal_form(const Figure& figure) {
-  Polygon normal = figure.polygon;
-  for (Vec& vertex : normal) vertex = vertex - figure.box.low;
-  std::rotate(normal.begin(), std::min_element(normal.begin(), normal.end()), normal.end());
-  return normal;
+// The polygon moved by `by`, starting at its smallest vertex.
+Polygon normal_form(Polygon polygon, Vec by) {
+  for (Vec& vertex : polygon) vertex = vertex + by;
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  return polygon;
+}
+
+// Outline and part with the low corner of the outline's box at the origin: equal for equal outlines with equal parts.
+std::pair<Polygon, Polygon> normal_form(const Figure& figure) {
+  return {normal_form(figure.polygon, -figure.box.low), normal_form(figure.part_polygon, -figure.box.low)};
 }
 
 // A body being made: its pieces' figures in every variant.
@@ -116,7 +126,7 @@ class BodyMaker {
   // Adds the variant unless it has the same outline as one before, or fits the room nowhere.
   void add_variant(Draft& draft, std::vector<Figure> figures) {
     if (figures.size() == 1) {
-      const Polygon normal = normal_form(figures.front());
+      const auto normal = normal_form(figures.front());
       for (const auto& known : draft.figures) {
         if (normal_form(known.front()) == normal) return;
       }
@@ -246,7 +256,9 @@ class BodyMaker {
       const Vec offset = at - bodies_.layouts[second.body][second.variant].offsets[k];
       const Coord spacing = piece ? placed_.spacing(std::minmax(*piece, draft.pieces[k])) : freedom_.clearance;
       if (first.body == drafts_.size() && !may_meet(figure.box.moved(at).grown(spacing), second, k)) continue;
-      for (cells::WedgeRing& ring : spaced_rings(figure.outline, other.outline, spacing, offset, run_.sums)) {
+      const bool by_part = piece && placed_.shows_part(draft.pieces[k], *piece);
+      const outline::OrientedOutline& met = by_part ? other.part : other.outline;
+      for (cells::WedgeRing& ring : spaced_rings(figure.outline, met, spacing, offset, run_.sums)) {
         if (first.body == drafts_.size() && !reaches(second, ring)) continue;
         bodies_.problem.between[{first, second}].push_back(static_cast<std::uint32_t>(bodies_.problem.rings.size()));
         wedges_ += ring.size();

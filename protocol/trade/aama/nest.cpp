@@ -151,6 +151,17 @@ class NestReader {
     }
   }
 
+  std::optional<formats::DecimalPart> read_part(const Texts& attributes) {
+    if (!attributes.contains("PART_QUALITY")) return std::nullopt;
+    formats::DecimalPart part;
+    part.quality = static_cast<marker::Quality>(number(attributes, "PART_QUALITY", 0, kQualities));
+    for (std::size_t corner = 0; attributes.contains("PART_X" + std::to_string(corner)); ++corner) {
+      part.outline.push_back({number(attributes, "PART_X" + std::to_string(corner), 0, kCoordinates),
+                              number(attributes, "PART_Y" + std::to_string(corner), 0, kCoordinates)});
+    }
+    return part;
+  }
+
   void read_insert(const dxf::Entity& insert, const Texts& attributes) {
     const auto block = blocks_.find(std::string{insert.text(2)});
     if (block == blocks_.end() || insert.vertices.empty()) {
@@ -183,6 +194,7 @@ class NestReader {
     if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
     if (attributes.contains("QUALITY"))
       piece.rules.quality = static_cast<marker::Quality>(number(attributes, "QUALITY", 0, kQualities));
+    piece.rules.part = read_part(attributes);
     piece.rules.nap = schema::value_of<marker::Nap>(text_or_empty(attributes, "NAP"));
     const std::string locked = text_or_empty(attributes, "LOCKED");
     const auto has = [&](char lock) { return locked.find(lock) != std::string::npos; };

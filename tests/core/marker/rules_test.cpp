@@ -396,6 +396,76 @@ TEST(Zones, OfEachAcceptedQualityMayBeCovered) {
   EXPECT_TRUE(is_valid(marker));
 }
 
+// The square's right half is seen, and accepts no worse cloth than class 1; the rest accepts 2.
+Marker with_part() {
+  Marker marker = with_zones();
+  marker.pieces[0].rules.quality = 2;
+  marker.pieces[0].rules.part = marker::Part{{{5, 0}, {10, 0}, {10, 10}, {5, 10}}, 1};
+  marker.pieces[1].rules.quality = 2;
+  return marker;
+}
+
+TEST(Zones, LieUnderAPieceButNotUnderItsPart) {
+  const auto valid = [](Coord x, marker::Quality quality, bool flip = false) {
+    Marker marker = with_part();
+    marker.shapes[0].may_flip = true;
+    marker.shapes[0].rotations = {{0}, {180}};
+    marker.pieces[0].at = {x, 0};
+    if (flip) marker.pieces[0].orientation = {true, {180}, {}};
+    marker.pieces[1].rules.quality = quality;
+    marker.pieces[2].at.x = 90;
+    const Marker made = *make_marker(marker);
+    SumCache sums;
+    EXPECT_EQ(marker::check(made, sums).valid(), is_valid(made));
+    return is_valid(made);
+  };
+  // The zone begins at 30 and ends at 40.
+  EXPECT_TRUE(valid(20, 2));
+  EXPECT_FALSE(valid(21, 2));
+  EXPECT_FALSE(valid(34, 2));
+  EXPECT_TRUE(valid(35, 2)) << "only the left half lies on it";
+  EXPECT_TRUE(valid(25, 1)) << "the part accepts it, too";
+  EXPECT_FALSE(valid(35, 3)) << "nothing of the piece accepts it";
+  EXPECT_TRUE(valid(35, 2, true)) << "turned and mirrored, its part is on the left";
+  EXPECT_FALSE(valid(36, 2, true));
+}
+
+TEST(Zones, AreMeasuredToThePartThatTheyMeet) {
+  Marker marker = with_part();
+  marker.pieces[0].at.x = 22;
+  marker.pieces[2].at.x = 90;
+  SumCache sums;
+  const marker::Validity validity = marker::check(*make_marker(marker), sums);
+  ASSERT_EQ(validity.overlaps.size(), 1U);
+  EXPECT_NEAR(validity.overlaps[0].depth, 2, 1e-9);
+  EXPECT_GE(validity.overlaps[0].witness_x, 30);
+  EXPECT_LE(validity.overlaps[0].witness_x, 32);
+}
+
+TEST(Zones, PartsLieWithinTheirPieceAndAcceptLess) {
+  const auto with = [](const Polygon& outline, marker::Quality quality, std::uint32_t piece = 0) {
+    Marker marker = with_part();
+    marker.pieces[piece].rules.part = marker::Part{outline, quality};
+    return blamed(marker);
+  };
+  const Polygon corner{{0, 0}, {4, 0}, {0, 4}};
+  EXPECT_EQ(with(corner, 0), "");
+  EXPECT_EQ(with(corner, 2), "/pieces/0/rules/part/quality");
+  EXPECT_EQ(with(corner, -1), "/pieces/0/rules/part/quality");
+  EXPECT_EQ(with({{0, 0}, {4, 0}, {0, 11}}, 0), "/pieces/0/rules/part/outline");
+  EXPECT_EQ(with({{0, 0}, {4, 4}, {4, 0}, {0, 4}}, 0), "/pieces/0/rules/part/outline");
+  EXPECT_EQ(with({{0, 0}, {4, 0}}, 0), "/pieces/0/rules/part/outline");
+  EXPECT_EQ(with(corner, 0, 1), "/pieces/1/rules/zone");
+  Marker waiting = with_part();
+  waiting.unplaced.push_back(waiting.pieces.front());
+  waiting.unplaced.back().id = "waiting";
+  waiting.unplaced.back().rules.part->quality = 2;
+  EXPECT_EQ(blamed(waiting), "/unplaced/0/rules/part/quality");
+  Marker clockwise = with_part();
+  clockwise.pieces[0].rules.part->outline = {{0, 4}, {4, 0}, {0, 0}};
+  EXPECT_GT(doubled_area(make_marker(clockwise)->pieces[0].rules.part->outline), 0);
+}
+
 TEST(Zones, MustHaveAQualityWorseThanTheRestOfTheCloth) {
   const auto with = [](std::uint32_t piece, marker::Quality quality) {
     Marker marker = with_zones();

@@ -184,6 +184,27 @@ TEST(RulesInNesting, PiecesThatAcceptAQualityLieOnItsZone) {
   for (std::uint32_t i = 6; i < 9; ++i) EXPECT_LE(box_of(placed_outline(done->marker, PieceId{i})).high.x, 4 * kSide);
 }
 
+TEST(RulesInNesting, OnlyThePartsThatAcceptAQualityLieOnItsZone) {
+  // Between two stains there is room for the part of a square, which is two thirds of it, and not for a whole one.
+  Marker marker = squares(6);
+  marker.shapes.push_back({.id = "stain", .outline = rectangle(3 * kSide, kWidth), .tilt_limit = {}});
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    const auto x = static_cast<Coord>(k) * 11 * kSide / 2;
+    marker.pieces.push_back({.id = "stain " + std::to_string(k), .shape = {1}, .orientation = {}, .at = {x, 0}});
+    marker.pieces.back().rules = {.zone = true, .quality = 1};
+  }
+  for (Piece& piece : marker.unplaced) {
+    piece.rules.quality = 1;
+    piece.rules.part = marker::Part{rectangle(2 * kSide, 3 * kSide), 0};
+  }
+  marker = *make_marker(std::move(marker));
+  const auto done = nested(marker, 4000);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  ASSERT_EQ(piece_count(done->marker), 6u);
+  EXPECT_LT(done->length_after, 14 * kSide) << "all lie before the end of the last stain";
+}
+
 TEST(RulesInNesting, HalfPiecesLieOnBothFoldsOfATube) {
   Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 4 * kSide}}}, 6, kWidth);
   marker.shapes[0].rotations = {{0}, {180}};

@@ -142,6 +142,26 @@ TEST(RulesInPacking, APieceIsPackedOntoAZoneThatItAccepts) {
   EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}}, room), Verdict::kImpossible);
 }
 
+TEST(RulesInPacking, APieceIsPackedOntoAZoneWithAllButItsPart) {
+  // The zone covers the left half of the lower left square.
+  Marker marker = with_zone();
+  marker.shapes.push_back({.id = "half", .outline = test::rectangle(5'000, 10'000), .tilt_limit = {}});
+  marker.pieces[0].shape = {1};
+  marker.pieces[0].rules.quality = 1;
+  marker.pieces[1].rules.quality = 1;
+  marker.pieces[1].rules.part = marker::Part{{{5'000, 0}, {10'000, 0}, {10'000, 10'000}, {5'000, 10'000}}, 0};
+  marker = *make_marker(std::move(marker));
+  expect_optimum(marker, 20'000);
+  const Box room{{0, 0}, {20'000, 20'000}};
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}, {4}}, room), Verdict::kFound);
+  marker.pieces[1].rules.part->outline = {{0, 0}, {5'000, 0}, {5'000, 10'000}, {0, 10'000}};
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}, {4}}, room), Verdict::kImpossible);
+  expect_optimum(marker, 25'000);
+  // Turned by 180 degrees the part lies on the other side, although the outline is the same.
+  marker.shapes[0].rotations = {{0}, {180}};
+  EXPECT_EQ(verdict_of(marker, {{1}, {2}, {3}, {4}}, room), Verdict::kFound);
+}
+
 TEST(RulesInPacking, OnATubeBothFoldsAreUsed) {
   test::Layout layout{20'000};
   const auto roof = layout.shape_of({{0, 0}, {10'000, 0}, {5'000, 10'000}});

@@ -87,6 +87,12 @@ TEST(Svg, HatchesZonesThatSomePiecesMayUse) {
   EXPECT_EQ(count(svg, "<title>left, quality 2</title>"), 1u);
 }
 
+TEST(Svg, DrawsThePartThatAcceptsLess) {
+  Json document = test::native_squares();
+  document["pieces"][0]["rules"] = test::json(R"({"quality": 1, "part": {"outline": [[0, 0], [5, 0], [0, 5]]}})");
+  EXPECT_EQ(count(to_svg(test::read(document).marker), "<path class=\"part\""), 1u);
+}
+
 TEST(Svg, DrawsBothFoldsOfATube) {
   Json document = test::native_squares();
   document["strip"]["tube"] = true;

@@ -158,6 +158,10 @@ TEST(Edits, MistakesPointToTheirOperation) {
                kOutOfRange, "/ops/0/piece/rules/below");
   expect_error(file, "{'op':'rules','piece':'left','rules':{'zone':true,'quality':0}}", kOutOfRange,
                "/ops/0/rules/quality");
+  const std::string part = "{'op':'rules','piece':'left','rules':{'quality':1,'part':";
+  expect_error(file, part + "{'outline':[[0,0],[1,0],[0,1000]]}}}", kOutOfRange, "/ops/0/rules/part/outline");
+  expect_error(file, part + "{'outline':[[0,0],[1,0],[0,1e300]]}}}", kBeyondLattice, "/ops/0/rules/part/outline");
+  expect_error(file, part + "{'outline':[[0,0],[1,0],[0,1]],'quality':1}}}", kOutOfRange, "/ops/0/rules/part/quality");
   expect_error(file, "{'op':'setShade','shade':0}", kOutOfRange, "/ops/0/shade");
   expect_error(file, "{'op':'rules','piece':'left','rules':{'from':9,'to':10}}", kOutOfRange, "/ops/0/rules/to");
   expect_error(file, "{'op':'remove','piece':'left'},{'op':'remove','piece':'right'}", kEmptyMarker, "/ops");

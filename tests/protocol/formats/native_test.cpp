@@ -201,12 +201,17 @@ TEST(Native, ReportsTheInvalidRule) {
   EXPECT_EQ(field_of(R"({"quality": 1.5})"), "/pieces/1/rules/quality");
   EXPECT_EQ(field_of(R"({"quality": 100})"), "/pieces/1/rules/quality");
   EXPECT_EQ(field_of(R"({"zone": true, "quality": 0})"), "/pieces/1/rules/quality");
+  EXPECT_EQ(field_of(R"({"quality": 2, "part": {"outline": [[0, 0], [1, 0], [0, 1]]}})"), "");
+  EXPECT_EQ(field_of(R"({"quality": 2, "part": {"outline": [[0, 0], [1, 0]]}})"), "/pieces/1/rules/part/outline");
+  EXPECT_EQ(field_of(R"({"quality": 2, "part": {}})"), "/pieces/1/rules/part/outline");
+  EXPECT_EQ(field_of(R"({"part": {"outline": [[0, 0], [1, 0], [0, 1]]}})"), "/pieces/1/rules/part/quality");
   EXPECT_EQ(field_of(R"([])"), "/pieces/1/rules");
 }
 
 TEST(Native, KeepsZones) {
   Json document = native_squares();
-  document["pieces"][0]["rules"] = json(R"({"quality": 3})");
+  document["pieces"][0]["rules"] =
+      json(R"({"quality": 3, "part": {"outline": [[0, 0], [9.5, 0], [0, 9.5]], "quality": 1}})");
   document["pieces"][1]["rules"] = json(R"({"zone": true, "quality": 2})");
   const MarkerFile file = test::read(document);
   EXPECT_EQ(file.marker.pieces[0].rules.quality, 3);
@@ -215,7 +220,7 @@ TEST(Native, KeepsZones) {
   EXPECT_EQ(piece_count(file.marker), 1u);
   const Json written = native_document(file);
   EXPECT_EQ(test::read(written).marker, file.marker);
-  EXPECT_EQ(written["pieces"][1]["rules"], document["pieces"][1]["rules"]);
+  for (const std::size_t k : {0U, 1U}) EXPECT_EQ(written["pieces"][k]["rules"], document["pieces"][k]["rules"]);
 }
 
 TEST(Native, KeepsTubes) {

@@ -74,7 +74,7 @@ TEST(Sparrow, DemandDoesNotIncludeZones) {
 TEST(Sparrow, KeepsTubesAndQualities) {
   Json document = sparrow_squares();
   document["tube"] = true;
-  placed(document)[0]["rules"] = json(R"({"fold": true, "quality": 1})");
+  placed(document)[0]["rules"] = json(R"({"fold": true, "quality": 1, "part": {"outline": [[0, 0], [5, 0], [0, 5]]}})");
   placed(document)[1]["rules"] = json(R"({"zone": true, "quality": 1})");
   const MarkerFile file = test::read(document);
   EXPECT_TRUE(file.marker.strip.tube);

@@ -50,7 +50,7 @@ MarkerFile rich_marker() {
       {"id": "free", "outline": [[0, 0], [100, 0], [0, 50]], "rotations": "any"}],
     "pieces": [
       {"id": "a", "shape": "FRONT/S", "at": [10, 10], "overlap": 0.5, "rules": {"below": 0, "to": 1400.5, "match": [150, -5], "matchSet": "M", "shade": "S-A"}, "attributes": {"bundle": "S-A"}},
-      {"id": "b", "shape": "FRONT/S", "at": [700, 300], "rotation": 180, "flip": true, "tilt": 1.5, "locked": ["x"], "rules": {"nap": "down", "quality": 2}},
+      {"id": "b", "shape": "FRONT/S", "at": [700, 300], "rotation": 180, "flip": true, "tilt": 1.5, "locked": ["x"], "rules": {"nap": "down", "quality": 2, "part": {"outline": [[5, 180], [0, 0], [100.5, 10]], "quality": 1}}},
       {"id": "c", "shape": "free", "at": [900, 700], "rotation": 37.25, "group": "g", "buffer": 1.5,
        "rules": {"above": 3, "from": 2, "shade": "S-A"}},
       {"id": "d", "shape": "free", "at": [1200, 700], "group": "g", "locked": true}]

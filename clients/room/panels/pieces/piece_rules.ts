@@ -69,7 +69,7 @@ export function buildPieceRules(desk: Desk, scene: Scene, commands: Commands): H
 }
 
 /** A short description of where the piece may lie. */
-function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet, nap, zone, quality } }: Piece): string {
+function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet, nap, zone, quality, part } }: Piece): string {
   const lengths = { ruleBelow: below, ruleAbove: above, ruleFrom: from, ruleTo: to };
   const words = Object.entries(lengths).flatMap(([name, length]) => (length === undefined ? [] : [`${say(name as TextName)} ${lengthText(length)}`]));
   if (fold) words.push(say("ruleFold"));
@@ -78,5 +78,6 @@ function rulesOf({ rules: { below, above, from, to, fold, shade, match, matchSet
   if (nap) words.push(say(NAPS[nap]));
   if (zone) words.push(say("ruleZone"));
   if (quality !== undefined) words.push(`${say("ruleQuality")} ${quality}`);
+  if (part) words.push(`${say("rulePart")} ${part.quality ?? 0}`);
   return words.join(" · ");
 }

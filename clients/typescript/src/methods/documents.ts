@@ -75,6 +75,12 @@ export type RulesDocument = {
   zone?: boolean;
   /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones. Of a zone: the class of its cloth, from 1; absent: one that no piece accepts. */
   quality?: number;
+  /** The part of the piece that accepts less than the rest, such as the one that is seen. */
+  part?: {
+    outline: Outline;
+    /** The worst quality class that it accepts, less than that of the piece. */
+    quality?: number;
+  };
 };
 
 /** The pattern of the cloth: stripes repeat on one axis, a plaid on both. */

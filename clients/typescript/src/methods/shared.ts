@@ -58,6 +58,14 @@ export type Overlap = {
   depth: number;
 };
 
+/** A part of a piece that accepts less of the cloth's quality than the rest. */
+export type PiecePart = {
+  /** Its corners, in the coordinates of the shape and within its outline. */
+  outline: Array<Point>;
+  /** The worst quality class that it accepts, less than that of the piece. */
+  quality?: number;
+};
+
 /** Where on the strip a piece may lie. */
 export type PieceRules = {
   /** Its distance from the strip's lower edge, in place of the strip's own. */
@@ -82,6 +90,8 @@ export type PieceRules = {
   zone?: boolean;
   /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a zone: the class of its cloth, from 1; absent: one that no piece accepts. */
   quality?: number;
+  /** The part of it that accepts less than the rest, such as the one that is seen. */
+  part?: PiecePart;
 };
 
 /** A piece with its placement and its locks. */
