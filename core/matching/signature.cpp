@@ -57,14 +57,17 @@ double distance_between(const Signature& order, const Signature& stored) {
       std::abs(order.spacing - stored.spacing) > kSpacingSlack * order.width) {
     return std::numeric_limits<double>::infinity();
   }
-  double spread = 0;
-  for (std::size_t k = 0; k < order.spread.size(); ++k) {
-    spread += std::abs(static_cast<double>(order.spread[k]) - static_cast<double>(stored.spread[k]));
-  }
   const auto off = [&](double times) {
     return std::abs(1 - times * stored.pieces / order.pieces) + std::abs(1 - times * stored.area / order.area);
   };
-  return spread + kCountWeight * std::min(off(1), kHalfPenalty + off(2));
+  return spread_between(order, stored) + kCountWeight * std::min(off(1), kHalfPenalty + off(2));
+}
+
+double spread_between(const Signature& a, const Signature& b) {
+  double spread = 0;
+  for (std::size_t k = 0; k < a.spread.size(); ++k)
+    spread += std::abs(static_cast<double>(a.spread[k]) - static_cast<double>(b.spread[k]));
+  return spread;
 }
 
 std::vector<std::size_t> nearest(const Signature& order, std::span<const Signature> stored, std::size_t count) {

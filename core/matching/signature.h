@@ -38,6 +38,9 @@ inline constexpr double kSpacingSlack = 0.001;  // part of the order's width
 // Laws.  (1) 0 for the order's own marker.  (2) Not less than 0.
 [[nodiscard]] double distance_between(const Signature& order, const Signature& stored);
 
+// The part of that distance in which the pieces themselves differ, whatever their number and their cloth.
+[[nodiscard]] double spread_between(const Signature& a, const Signature& b);
+
 // The indices of the nearest, nearest first, at most `count`; of equals the first.  Leaves out those that cannot be
 // near.
 [[nodiscard]] std::vector<std::size_t> nearest(const Signature& order, std::span<const Signature> stored,

@@ -54,7 +54,8 @@ class Planner {
       made.push_back({ratio, *length});
       lengths.push_back({area_of(problem_.order, ratio), *length});
     }
-    return {std::move(made), orders::LengthEstimate{problem_.cloth.width, lengths}, made_only, std::move(unmakeable)};
+    return {std::move(made), orders::LengthEstimate{problem_.cloth.width, lengths, settings_.stored}, made_only,
+            std::move(unmakeable)};
   }
 
   enum class Effort { kQuick, kThorough };
@@ -136,6 +137,7 @@ class Planner {
     plan_.cutting = best_ ? *std::move(best_) : *std::move(estimated_);
     plan_.bound = std::min(plan_.bound, plan_.cutting.cost);
     plan_.lays = lays_of(problem_, plan_.cutting);
+    plan_.rolls = rolls_of(problem_, plan_.cutting, plan_.lays);
     plan_.made = static_cast<std::size_t>(
         std::count_if(made_.begin(), made_.end(), [](const auto& one) { return one.second.has_value(); }));
     plan_.end = end;

@@ -21,6 +21,7 @@
 #include "core/base/executor.h"
 #include "core/base/result.h"
 #include "core/planning/cheapest/search.h"
+#include "core/planning/lays.h"
 #include "core/planning/orders/order.h"
 #include "core/planning/orders/ratio.h"
 
@@ -32,9 +33,10 @@ using MakeMarker = std::function<std::optional<double>(const orders::Ratio&)>;
 
 struct PlanSettings {
   cheapest::SearchSettings search{};
-  int rounds{8};              // most rounds
-  std::size_t most_made{24};  // most markers that are made, unless the plan needs more
-  std::size_t near_made{2};   // of each round, besides those that its cutting uses
+  int rounds{8};                             // most rounds
+  std::size_t most_made{24};                 // most markers that are made, unless the plan needs more
+  std::size_t near_made{2};                  // of each round, besides those that its cutting uses
+  std::vector<orders::MadeLength> stored{};  // of similar markers, from which the first estimate is learnt
 };
 
 struct PlanRound {
@@ -53,17 +55,11 @@ struct PlanRun {
 
 enum class PlanEnd { kConverged, kWorkLimit, kCancelled };
 
-// A lay: a marker with the plies under it.
-struct Lay {
-  std::size_t marker{};    // position in Plan::cutting.uses
-  std::vector<int> plies;  // by colour
-  friend bool operator==(const Lay&, const Lay&) = default;
-};
-
 struct Plan {
   program::Cutting cutting;  // the markers, their lengths and units of plies; and what it costs
   std::vector<Lay> lays;
-  bool complete{};  // all markers were made; else some of the lengths are estimates
+  std::vector<Rolls> rolls;  // by colour
+  bool complete{};           // all markers were made; else some of the lengths are estimates
   double bound{};
   std::size_t candidates{};  // ratios that the last search considered
   std::size_t made{};        // markers that were made
@@ -75,8 +71,5 @@ struct Plan {
 // quantity or the limit that is in the way; kStoppedEarly when it was cancelled before there was a plan.
 [[nodiscard]] Result<Plan> plan_cut(const orders::Problem& problem, const PlanSettings& settings,
                                     const MakeMarker& make, const PlanRun& run);
-
-// The units of every marker as lays that are as full as they can be, colour by colour.
-[[nodiscard]] std::vector<Lay> lays_of(const orders::Problem& problem, const program::Cutting& cutting);
 
 }  // namespace selvage::planning

@@ -35,7 +35,9 @@ std::string table(const Cells& heading, const std::vector<Cells>& rows) {
 std::string costs(const Json& plan) {
   const Json& cost = plan["cost"];
   const auto money = [&](const char* name) { return decimals(cost[name].number(), 2); };
-  return table({"cost", ""}, {{"cloth, " + decimals(plan["cloth"].number() / kMetre, 2) + " m", money("cloth")},
+  return table({"cost", ""}, {{"cloth from rolls", money("cloth")},
+                              {"splices", money("splices")},
+                              {"cloth from remnants", money("remnants")},
                               {"lays", money("lays")},
                               {"plies", money("plies")},
                               {"markers", money("markers")},
@@ -60,14 +62,29 @@ std::string lays(const Json& plan) {
   std::vector<Cells> rows;
   std::size_t number = 0;
   for (const Json& lay : plan["lays"]) {
-    std::string plies;
-    for (const Json& one : lay["plies"])
-      plies +=
-          (plies.empty() ? "" : ", ") + std::to_string(one["plies"].get<int>()) + " " + escaped(one["colour"].text());
     const auto marker = lay["marker"].get<std::size_t>();
-    rows.push_back({std::to_string(++number), std::to_string(marker + 1), plies});
+    rows.push_back({std::to_string(++number), std::to_string(marker + 1), escaped(plies_text(lay))});
   }
   return table({"lay", "marker", "plies"}, rows);
+}
+
+// Which cloth the plies take: remnants, and rolls.
+std::string cloth(const Json& plan) {
+  std::vector<Cells> remnants, rolls;
+  for (const Json& one : plan["remnants"]) {
+    remnants.push_back({std::to_string(remnants.size() + 1), escaped(one["colour"].text()), metres(one["length"]),
+                        std::to_string(one["plies"].get<int>()), metres(one["used"]), metres(one["left"])});
+  }
+  for (const Json& one : plan["rolls"]) {
+    Cells cells{escaped(one["colour"].text()), metres(one["cloth"])};
+    const bool endless = one["rolls"] == 0;
+    for (const char* name : {"rolls", "splices"}) cells.push_back(endless ? "" : std::to_string(one[name].get<int>()));
+    for (const char* name : {"lost", "left"}) cells.push_back(endless ? "" : metres(one[name]));
+    rolls.push_back(std::move(cells));
+  }
+  std::string text = "<p>" + metres(plan["cloth"]) + " in all plies.</p>\n";
+  if (!remnants.empty()) text += table({"remnant", "colour", "length", "plies", "used", "left"}, remnants);
+  return text + table({"colour", "from rolls", "rolls", "splices", "lost", "left of the last roll"}, rolls);
 }
 
 Result<std::string> picture(const Json& marker) {
@@ -87,7 +104,8 @@ Result<std::string> plan_page(const Json& plan, std::string_view title) {
                      "</title>\n<style>" + std::string{kStyle} + "</style>\n<h1>" + name + "</h1>\n<p>" +
                      std::to_string(plan["markers"].size()) + " markers in " + std::to_string(plan["lays"].size()) +
                      " lays; the cost is at most " + decimals(100 * gap_of(plan), 2) + " % above the least.</p>\n";
-  page += costs(plan) + "<h2>Garments</h2>\n" + deliveries(plan) + "<h2>Lays</h2>\n" + lays(plan);
+  page += costs(plan) + "<h2>Garments</h2>\n" + deliveries(plan) + "<h2>Lays</h2>\n" + lays(plan) + "<h2>Cloth</h2>\n" +
+          cloth(plan);
   std::size_t number = 0;
   for (const Json& marker : plan["markers"]) {
     page +=

@@ -18,6 +18,10 @@ inline constexpr double kMetre = 1000;  // millimetres
 [[nodiscard]] std::string ratio_text(const Json& marker);
 // `value` with this number of decimals.
 [[nodiscard]] std::string decimals(double value, int places);
+// "1.25 m"; from millimetres.
+[[nodiscard]] std::string metres(const Json& length);
+// "40 red, 3 blue from remnant 2": the plies of a lay.
+[[nodiscard]] std::string plies_text(const Json& lay);
 // How far the cost may lie above the least, as a part of it.
 [[nodiscard]] double gap_of(const Json& plan);
 

@@ -44,6 +44,53 @@ class Plan(CliTest):
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertEqual(page.read_text().count("<svg"), len(plan["markers"]))
 
+    def test_remnants_hold_whole_plies_and_save_cloth(self):
+        page = self.path("plan.html")
+        without = self.plan()[1]
+        ran, plan = self.plan(ORDER, RECTANGLES, "--remnants", "red=2100,blue=500", "--html", page)
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertLess(plan["cost"]["total"], without["cost"]["total"])
+        self.assertAlmostEqual(sum(plan["cost"].values()), 2 * plan["cost"]["total"], places=6)
+        self.assertLessEqual(plan["bound"], plan["cost"]["total"])
+        self.assertEqual([(one["colour"], one["length"]) for one in plan["remnants"]], [("red", 2100), ("blue", 500)])
+        used, plies = [0, 0], [0, 0]
+        for lay in plan["lays"]:
+            for one in lay["plies"]:
+                if "remnant" in one:
+                    self.assertEqual(one["colour"], plan["remnants"][one["remnant"]]["colour"])
+                    plies[one["remnant"]] += one["plies"]
+                    used[one["remnant"]] += one["plies"] * (plan["markers"][lay["marker"]]["length"] + 40)
+        for k, remnant in enumerate(plan["remnants"]):
+            self.assertEqual(remnant["plies"], plies[k])
+            self.assertAlmostEqual(remnant["used"], used[k], places=6)
+            self.assertAlmostEqual(remnant["used"] + remnant["left"], remnant["length"], places=6)
+        self.assertGreater(plies[0], 0)
+        self.assertEqual(sum(d["cut"] for d in plan["delivered"]), 17)
+        self.assertIn("from remnant 1", page.read_text())
+        self.assertIn("remnant 1, red, 2.10 m: ", ran.stdout)
+
+    def test_rolls_are_counted_with_their_splices(self):
+        ran, plan = self.plan(ORDER, RECTANGLES, "--table", 1500, "--roll-length", 2500, "--splice-loss", 300)
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertGreater(plan["cost"]["splices"], 0)
+        for rolls in plan["rolls"]:
+            self.assertAlmostEqual(2500 * rolls["rolls"], rolls["cloth"] + rolls["lost"] + rolls["left"], places=6)
+        self.assertAlmostEqual(sum(rolls["cloth"] for rolls in plan["rolls"]), plan["cloth"], places=6)
+        self.assertGreater(max(rolls["splices"] for rolls in plan["rolls"]), 0)
+        self.assertIn("splice", ran.stdout)
+
+    def test_stored_markers_teach_lengths(self):
+        library = self.path("library")
+        ran, first = self.plan()
+        for k, marker in enumerate(first["markers"]):
+            stored = self.write(marker["marker"], f"stored{k}.json")
+            self.assertEqual(run("library", "add", library, stored).returncode, OK)
+        ran, plan = self.plan(ORDER, RECTANGLES, "--library", library)
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual((first["stored"], plan["stored"]), (0, len(first["markers"])))
+        error = [abs(one["rounds"][0]["estimated"] / one["rounds"][0]["real"] - 1) for one in (first, plan)]
+        self.assertLess(error[1], error[0])
+
     def test_the_plan_does_not_depend_on_threads(self):
         self.assertEqual(self.plan()[1], self.plan(ORDER, RECTANGLES, "--threads", 3)[1])
 
@@ -59,6 +106,9 @@ class Plan(CliTest):
                 ('{"quantities": {"red": {"S": 1}}, "mode": "upDown"}', RECTANGLES, (), "a plan takes one or either"),
                 (ORDER, dict(RECTANGLES, unit="in"), (), "plans are made of styles in mm"),
                 (ORDER, RECTANGLES, ("--table", 300), "the table has room for 260 mm"),
+                (ORDER, RECTANGLES, ("--remnants", "red"), '"red" is no remnant; COLOUR=LENGTH is allowed'),
+                (ORDER, RECTANGLES, ("--remnants", "green=500"), 'nothing is ordered in "green"'),
+                (ORDER, RECTANGLES, ("--roll-length", 5000), "no roll is shorter than the table"),
                 (ORDER, RECTANGLES, ("--spread", "face_to_face", "--plies", 1), "a lay has at least 2 plies")):
             with self.subTest(message=message):
                 ran, _ = self.plan(order, style, *options)

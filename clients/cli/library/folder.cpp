@@ -107,4 +107,14 @@ Result<std::vector<NearMarker>> nearest_in(const std::vector<StoredFile>& stored
   return near;
 }
 
+Result<Json> documents_of(const std::vector<NearMarker>& markers) {
+  Json documents = Json::array();
+  for (const NearMarker& one : markers) {
+    auto document = protocol::files::marker_document(one.file, protocol::files::FileFormat::kNative);
+    if (!document) return document.error();
+    documents.push_back(*std::move(document));
+  }
+  return documents;
+}
+
 }  // namespace selvage::cli::library

@@ -43,4 +43,7 @@ struct NearMarker {
 [[nodiscard]] Result<std::vector<NearMarker>> nearest_in(const std::vector<StoredFile>& stored, const Marker& order,
                                                          std::size_t count);
 
+// As a method takes stored markers: a list of native documents.  Errors: those of writing a marker.
+[[nodiscard]] Result<Json> documents_of(const std::vector<NearMarker>& markers);
+
 }  // namespace selvage::cli::library

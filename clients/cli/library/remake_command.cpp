@@ -9,7 +9,6 @@
 #include "clients/cli/library/library_commands.h"
 #include "clients/cli/parameters/parameter_options.h"
 #include "clients/cli/terminal/files.h"
-#include "protocol/files/writing.h"
 #include "protocol/methods/method_table.h"
 
 namespace selvage::cli::library {
@@ -39,13 +38,7 @@ Result<Json> stored_near(const std::string& order, const std::string& folder) {
     if (!first) return first.error();
     near->push_back({library->front().name, *std::move(first)});
   }
-  Json documents = Json::array();
-  for (const NearMarker& one : *near) {
-    auto document = protocol::files::marker_document(one.file, protocol::files::FileFormat::kNative);
-    if (!document) return document.error();
-    documents.push_back(*std::move(document));
-  }
-  return documents;
+  return documents_of(*near);
 }
 
 terminal::ExitCode run_remake(const std::vector<ParameterOption>& options, const command_line::Values& values) {

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
 #include "clients/cli/commands/shared_options.h"
+#include "clients/cli/library/folder.h"
 #include "clients/cli/parameters/parameter_options.h"
 #include "clients/cli/run/local.h"
 #include "clients/cli/run/remote.h"
@@ -19,6 +22,7 @@
 #include "protocol/calls/choices.h"
 #include "protocol/execution/thread_pool.h"
 #include "protocol/execution/time_limit.h"
+#include "protocol/json/json_text.h"
 #include "protocol/methods/method_table.h"
 #include "protocol/plans/plan_page.h"
 #include "protocol/plans/plan_text.h"
@@ -34,7 +38,8 @@ using terminal::ExitCode;
 
 constexpr std::string_view kPlanMethod = "plan.cut";
 // Parameters that the command sets itself.
-constexpr std::array<std::string_view, 5> kGiven{"markerId", "quantities", "documents", "deadlineMs", "progressToken"};
+constexpr std::array<std::string_view, 7> kGiven{"markerId",  "quantities", "remnants",     "stored",
+                                                 "documents", "deadlineMs", "progressToken"};
 
 const protocol::calls::Method& plan_method() {
   return *protocol::methods::find_method(kPlanMethod);
@@ -62,7 +67,40 @@ Result<MarkerFile> load_style(const command_line::Values& values, std::string or
   return terminal::load_marker(values.text("style"), options);
 }
 
-Result<Json> plan_params(const command_line::Values& values, const protocol::trade::orders::Order& order) {
+// "red=3400,red=1200" as a list of remnants.
+Result<Json> remnants_in(const std::string& text) {
+  Json remnants = Json::array();
+  std::stringstream entries{text};
+  for (std::string entry; std::getline(entries, entry, ',');) {
+    const auto sign = std::min(entry.rfind('='), entry.size());
+    const std::string number = entry.substr(std::min(sign + 1, entry.size()));
+    double length = 0;
+    const auto read = std::from_chars(number.data(), number.data() + number.size(), length);
+    if (sign == 0 || read.ec != std::errc{} || read.ptr != number.data() + number.size()) {
+      return Error{ErrorCode::kOutOfRange,
+                   "--remnants: " + protocol::json::shortened(Json(entry)) +
+                       " is no remnant; COLOUR=LENGTH is allowed, several of them separated by commas",
+                   ""};
+    }
+    Json one = Json::object();
+    one["colour"] = entry.substr(0, sign);
+    one["length"] = length;
+    remnants.push_back(std::move(one));
+  }
+  return remnants;
+}
+
+// The markers of the library that are nearest to the style.
+Result<Json> stored_near(const std::string& folder, const Marker& style) {
+  const auto stored = library::list_folder(folder);
+  if (!stored) return stored.error();
+  const auto near = library::nearest_in(*stored, style, library::kConsidered);
+  if (!near) return near.error();
+  return library::documents_of(*near);
+}
+
+Result<Json> plan_params(const command_line::Values& values, const protocol::trade::orders::Order& order,
+                         const Marker& style) {
   auto params = parameters::params_from(plan_options(), values);
   if (!params) return params;
   (*params)["markerId"] = run::kMarkerId;
@@ -75,6 +113,16 @@ Result<Json> plan_params(const command_line::Values& values, const protocol::tra
     quantities.push_back(std::move(one));
   }
   (*params)["quantities"] = std::move(quantities);
+  if (const std::string given = values.text("remnants"); !given.empty()) {
+    auto remnants = remnants_in(given);
+    if (!remnants) return remnants;
+    (*params)["remnants"] = *std::move(remnants);
+  }
+  if (const std::string folder = values.text("library"); !folder.empty()) {
+    auto stored = stored_near(folder, style);
+    if (!stored) return stored;
+    (*params)["stored"] = *std::move(stored);
+  }
   if (const auto seconds = values.number("time")) (*params)["deadlineMs"] = 1000 * *seconds;
   return params;
 }
@@ -122,7 +170,7 @@ ExitCode run_plan_command(const command_line::Values& values) {
   if (!order) return terminal::report(order.error());
   const auto style = load_style(values, *text);
   if (!style) return terminal::report(style.error());
-  auto params = plan_params(values, *order);
+  auto params = plan_params(values, *order, style->marker);
   if (!params) return terminal::report(params.error());
   const auto call = plan_method().read(*params);
   if (!call) return terminal::report(call.error());
@@ -163,7 +211,15 @@ command_line::Command plan_command() {
        {.name = "--width",
         .kind = Kind::kNumber,
         .meaning = "Width of the cloth in mm, when neither the order nor the style states it; default: 1500",
-        .range = command_line::Range{1, 1e6}}},
+        .range = command_line::Range{1, 1e6}},
+       {.name = "--remnants",
+        .kind = Kind::kText,
+        .meaning = "Lengths of cloth that are there already, in mm: COLOUR=LENGTH, several of them separated by commas",
+        .placeholder = "LIST"},
+       {.name = "--library",
+        .kind = Kind::kText,
+        .meaning = "Folder of stored markers that teach how long markers become",
+        .placeholder = "FOLDER"}},
       &run_plan_command};
   for (ParameterOption& option : plan_options()) command.options.push_back(std::move(option.option));
   for (Option& option : commands::file_options()) {
@@ -178,7 +234,8 @@ command_line::Command plan_command() {
                              .placeholder = "FILE"});
   command.options.push_back(commands::json_option());
   command.examples = {"selvage plan order.csv --style style.dxf --rules style.rul --html plan.html",
-                      "selvage plan order.json --style sizes.json --plies 80 --spread face_to_face -o plan.json"};
+                      "selvage plan order.json --style sizes.json --plies 80 --spread face_to_face -o plan.json",
+                      "selvage plan order.csv --style sizes.json --roll-length 60000 --remnants white=3400,navy=5200"};
   return command;
 }
 

@@ -10,6 +10,7 @@
 #include "core/planning/program/cutting_program.h"
 #include "core/planning/program/few_markers.h"
 #include "core/planning/program/relaxation.h"
+#include "core/planning/program/remnants.h"
 
 namespace selvage::planning::cheapest {
 namespace {
@@ -125,7 +126,7 @@ class Search {
       const auto number = static_cast<std::size_t>(k);
       const AnnealingSettings annealing{.markers = problem_.order.sizes.size() + number,
                                         .steps = static_cast<int>(steps),
-                                        .scale = relaxation_.bound,
+                                        .scale = relaxation_.bound + program::most_saved(problem_),
                                         .seed = number};
       take(anneal(problem_, lengths_, annealing, stop_));
     }
@@ -134,8 +135,11 @@ class Search {
   // Cuttings of few markers are looked at one by one, and all others pay for more markers.
   void raise_bound() {
     if (!all_listed_) return;
-    FewMarkers few =
-        few_markers(problem_, relaxation_.candidates, {.work = settings_.tuning.set_work, .target = target()}, stop_);
+    // The list takes all cloth from rolls.
+    const double saved = program::most_saved(problem_);
+    FewMarkers few = few_markers(problem_, relaxation_.candidates,
+                                 {.work = settings_.tuning.set_work, .target = target() + saved}, stop_);
+    few.least -= saved;
     take(std::move(few.cutting));
     const auto others = bound_with(problem_, relaxation_.candidates, few.fewest, stop_);
     if (!others || stop_.stop_requested()) return;

@@ -9,33 +9,40 @@ namespace {
 // to 88 % of the cloth; the ends of a marker take 2 to 8 % of the width (docs/cut-planning.md).
 constexpr double kSlope = 1.14, kSlopeDeviation = 0.06;
 constexpr double kEnds = 0.05, kEndsDeviation = 0.08;  // parts of the width
-// Markers of the same area differ by this part of their length.
-constexpr double kScatter = 0.01;
+// Markers of the same area differ by this part of their length; those of similar garments by more.
+constexpr double kScatter = 0.01, kStoredScatter = 0.03;
+
+// The normal equations of least squares: for the differences of the slope and of the ends from the guess.
+struct Equations {
+  double aa{}, ab{}, bb{}, ra{}, rb{};
+};
+void add(Equations& sums, std::span<const MadeLength> markers, double scatter, double width) {
+  for (const MadeLength& one : markers) {
+    const double x = one.area / width;
+    const double weight = 1 / (scatter * one.length * scatter * one.length);
+    const double residual = one.length - (kSlope * x + kEnds * width);
+    sums.aa += weight * x * x;
+    sums.ab += weight * x;
+    sums.bb += weight;
+    sums.ra += weight * x * residual;
+    sums.rb += weight * residual;
+  }
+}
 
 }  // namespace
 
 LengthEstimate::LengthEstimate(double width) : LengthEstimate{width, {}} {}
 
-// Least squares: each made marker weighs by its scatter, the guess by its deviations.  The normal equations have two
-// unknowns; the guess makes them regular.
-LengthEstimate::LengthEstimate(double width, std::span<const MadeLength> made)
-    : width_{width}, slope_{kSlope}, intercept_{kEnds * width} {
-  double aa = 1 / (kSlopeDeviation * kSlopeDeviation), ab = 0;
-  double bb = 1 / (kEndsDeviation * width * kEndsDeviation * width);
-  double ra = 0, rb = 0;  // of the differences from the guess
-  for (const MadeLength& one : made) {
-    const double x = one.area / width;
-    const double weight = 1 / (kScatter * one.length * kScatter * one.length);
-    const double residual = one.length - (kSlope * x + kEnds * width);
-    aa += weight * x * x;
-    ab += weight * x;
-    bb += weight;
-    ra += weight * x * residual;
-    rb += weight * residual;
-  }
-  const double determinant = aa * bb - ab * ab;
-  slope_ = std::max(1.0, kSlope + (ra * bb - rb * ab) / determinant);
-  intercept_ = std::max(0.0, kEnds * width + (rb * aa - ra * ab) / determinant);
+// Each marker weighs by its scatter, the guess by its deviations, which make the equations regular.
+LengthEstimate::LengthEstimate(double width, std::span<const MadeLength> made, std::span<const MadeLength> stored)
+    : width_{width} {
+  Equations sums{.aa = 1 / (kSlopeDeviation * kSlopeDeviation),
+                 .bb = 1 / (kEndsDeviation * width * kEndsDeviation * width)};
+  add(sums, made, kScatter, width);
+  add(sums, stored, kStoredScatter, width);
+  const double determinant = sums.aa * sums.bb - sums.ab * sums.ab;
+  slope_ = std::max(1.0, kSlope + (sums.ra * sums.bb - sums.rb * sums.ab) / determinant);
+  intercept_ = std::max(0.0, kEnds * width + (sums.rb * sums.aa - sums.ra * sums.ab) / determinant);
 }
 
 }  // namespace selvage::planning::orders

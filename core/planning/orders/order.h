@@ -2,6 +2,11 @@
 //
 // A marker holds a ratio of bundles; a lay is a marker with plies of one or several colours under it.  Of each colour
 // and size, the lays together cut   sum over lays of plies[colour] * ratio[size]   garments [Li94 5.3.4].
+//
+// Cloth comes from rolls and from remnants.  Rolls are as many as are needed.  Where one ends within a ply, the ply is
+// spliced: the next roll begins a little before the end, so that no piece is cut in two.  What the overlaps take is
+// spread evenly over the cloth from rolls.  A remnant is a length that an earlier order has left; it holds whole plies
+// of its colour and is never spliced.
 // Units: millimetres and square millimetres; rates per metre, in the caller's currency.
 #pragma once
 
@@ -30,10 +35,20 @@ struct Order {
 // in pairs, of which the second cuts mirrored pieces.
 enum class Spread { kOneWay, kFaceToFace };
 
+// Cloth that is there already.
+struct Remnant {
+  std::size_t colour{};
+  double length{};
+  friend bool operator==(const Remnant&, const Remnant&) = default;
+};
+
 struct Cloth {
   double width{};
   Spread spread{Spread::kOneWay};
-  double end_loss{40};  // of every ply, at both of its ends together
+  double end_loss{40};      // of every ply, at both of its ends together
+  double roll_length{};     // 0: rolls have no end; else no shorter than the table or two splices
+  double splice_loss{500};  // the overlap of two rolls in a ply
+  std::vector<Remnant> remnants;
 };
 
 struct Limits {
@@ -44,7 +59,8 @@ struct Limits {
 };
 
 struct Costs {
-  double metre{5};         // of cloth
+  double metre{5};         // of cloth from rolls
+  double remnant_metre{};  // of cloth from remnants
   double lay{10};          // of setting up a lay
   double ply{0.2};         // of spreading a ply
   double marker{10};       // of making a marker
@@ -60,6 +76,13 @@ struct Problem {
   // Plies come in units of this number, and a lay has room for so many units.
   [[nodiscard]] int plies_of_unit() const { return cloth.spread == Spread::kFaceToFace ? 2 : 1; }
   [[nodiscard]] int units_of_lay() const { return limits.plies / plies_of_unit(); }
+  // What the plies of a unit take of the cloth, with their end losses.
+  [[nodiscard]] double unit_length(double marker) const { return plies_of_unit() * (marker + cloth.end_loss); }
+  // What a millimetre of a ply costs from rolls, splices included, and how much less from remnants; not below 0.
+  [[nodiscard]] double roll_rate() const;
+  [[nodiscard]] double remnant_saving() const;
+  // The part by which splices increase the cloth from rolls: one for every length that a roll adds.
+  [[nodiscard]] double splice_part() const;
   // The fewest and the most garments that may be cut.  When plies come in pairs, so do garments; one beyond the least
   // is then always allowed.
   [[nodiscard]] int least(std::size_t colour, std::size_t size) const;
@@ -69,6 +92,7 @@ struct Problem {
 inline constexpr std::size_t kMostSizes = 50, kMostColours = 50;
 inline constexpr int kMostGarments = 1'000'000;  // of a colour and size
 inline constexpr int kMostPlies = 1'000, kMostBundles = 50;
+inline constexpr std::size_t kMostRemnants = 100;
 
 // What is wrong with the problem: no size, colour or garment, a number that is not finite, negative or beyond what is
 // allowed.  `field` points into {"quantities": {colour: {size: garments}}, "limits", "costs", "cloth"}.

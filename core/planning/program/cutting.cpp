@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/planning/program/remnants.h"
+
 namespace selvage::planning::program {
 namespace {
 
@@ -12,9 +14,8 @@ constexpr double kPerMetre = 1e-3;  // metres in a millimetre
 
 Price price_of(const orders::Problem& problem, const Candidate& candidate) {
   const orders::Costs& costs = problem.costs;
-  const double ply = costs.metre * kPerMetre * (candidate.length + problem.cloth.end_loss) + costs.ply;
   Price price;
-  price.unit = problem.plies_of_unit() * ply;
+  price.unit = problem.roll_rate() * problem.unit_length(candidate.length) + problem.plies_of_unit() * costs.ply;
   price.lay = costs.lay + costs.cut_metre * kPerMetre * perimeter_of(problem.order, candidate.ratio);
   price.marker = costs.marker;
   for (std::size_t colour = 0; colour < problem.order.colours.size(); ++colour) {
@@ -42,14 +43,14 @@ double cost_of(const orders::Problem& problem, const Use& use) {
 double cost_of(const orders::Problem& problem, const std::vector<Use>& uses) {
   double cost = 0;
   for (const Use& use : uses) cost += cost_of(problem, use);
-  return cost;
+  return cost - problem.remnant_saving() * spread_on_remnants(problem, uses).length;
 }
 
 double cloth_of(const orders::Problem& problem, const std::vector<Use>& uses) {
   double cloth = 0;
   for (const Use& use : uses) {
     const int units = std::accumulate(use.units.begin(), use.units.end(), 0);
-    cloth += problem.plies_of_unit() * units * (use.candidate.length + problem.cloth.end_loss);
+    cloth += units * problem.unit_length(use.candidate.length);
   }
   return cloth;
 }

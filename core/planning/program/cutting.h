@@ -18,7 +18,7 @@ struct Candidate {
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
-// What a candidate costs, and how much of it may be cut.
+// What a candidate costs when its cloth comes from rolls, and how much of it may be cut.
 struct Price {
   double unit{}, lay{}, marker{};  // of each unit of plies, of each lay, of cutting the marker at all
   std::vector<int> most;           // units, by colour
@@ -42,9 +42,10 @@ struct Cutting {
 
 // The fewest lays that the units of a marker need.
 [[nodiscard]] int lays_of(const orders::Problem& problem, const Use& use);
+// Of one marker, with all of its cloth from rolls; and of all together, with what lies on remnants (remnants.h).
 [[nodiscard]] double cost_of(const orders::Problem& problem, const Use& use);
 [[nodiscard]] double cost_of(const orders::Problem& problem, const std::vector<Use>& uses);
-// The length of cloth that the plies take, with their end losses; millimetres.
+// The length of cloth that the plies take, with their end losses but without splices; millimetres.
 [[nodiscard]] double cloth_of(const orders::Problem& problem, const std::vector<Use>& uses);
 // How many garments are cut, by colour, by size.
 [[nodiscard]] std::vector<std::vector<int>> delivered_by(const orders::Problem& problem, const std::vector<Use>& uses);

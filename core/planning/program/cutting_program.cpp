@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/planning/program/remnants.h"
+
 namespace selvage::planning::program {
 namespace {
 
@@ -21,6 +23,8 @@ CuttingProgram::CuttingProgram(const orders::Problem& problem, std::vector<Candi
   std::sort(candidates_.begin(), candidates_.end(),
             [](const Candidate& a, const Candidate& b) { return a.ratio < b.ratio; });
   for (const Candidate& candidate : candidates_) add_candidate(candidate);
+  for (std::size_t k = 0; k < candidates_.size(); ++k) add_remnants(k);
+  add_remnant_lengths();
   add_deliveries();
   add_counts(fewest);
 }
@@ -46,6 +50,36 @@ void CuttingProgram::add_candidate(const Candidate& candidate) {
   program_.linear.add_row(room, 0);
   const Entry row[] = {{columns.lays, 1}, {columns.chosen, -1}};
   program_.linear.add_row(row, 0);
+}
+
+void CuttingProgram::add_remnants(std::size_t candidate) {
+  const std::vector<orders::Remnant>& remnants = problem_.cloth.remnants;
+  Columns& columns = columns_[candidate];
+  columns.on_remnants.assign(remnants.size(), -1);
+  const double length = problem_.unit_length(candidates_[candidate].length);
+  for (std::size_t colour = 0; colour < columns.units.size(); ++colour) {
+    if (columns.units[colour] < 0) continue;
+    std::vector<Entry> row{{columns.units[colour], 1}};
+    for (std::size_t r = 0; r < remnants.size(); ++r) {
+      const int most = remnants[r].colour == colour ? units_held(problem_, remnants[r], length) : 0;
+      if (most == 0) continue;
+      columns.on_remnants[r] = program_.add_whole_column(-problem_.remnant_saving() * length, 0, most);
+      row.push_back({columns.on_remnants[r], -1});
+    }
+    if (row.size() > 1) program_.linear.add_row(row, 0);
+  }
+}
+
+void CuttingProgram::add_remnant_lengths() {
+  const std::vector<orders::Remnant>& remnants = problem_.cloth.remnants;
+  for (std::size_t r = 0; r < remnants.size(); ++r) {
+    std::vector<Entry> row;
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      const int column = columns_[k].on_remnants[r];
+      if (column >= 0) row.push_back({column, -problem_.unit_length(candidates_[k].length)});
+    }
+    if (!row.empty()) program_.linear.add_row(row, -remnants[r].length);
+  }
 }
 
 void CuttingProgram::add_counts(int fewest) {
@@ -101,7 +135,9 @@ Cutting CuttingProgram::cutting_of(std::span<const double> x) const {
 
 std::vector<double> CuttingProgram::solution_of(const Cutting& cutting) const {
   std::vector<double> x(program_.linear.cost.size());
-  for (const Use& use : cutting.uses) {
+  const OnRemnants filled = spread_on_remnants(problem_, cutting.uses);
+  for (std::size_t u = 0; u < cutting.uses.size(); ++u) {
+    const Use& use = cutting.uses[u];
     const auto found =
         std::lower_bound(candidates_.begin(), candidates_.end(), use.candidate.ratio,
                          [](const Candidate& one, const orders::Ratio& ratio) { return one.ratio < ratio; });
@@ -112,6 +148,9 @@ std::vector<double> CuttingProgram::solution_of(const Cutting& cutting) const {
     }
     x[static_cast<std::size_t>(columns.lays)] = lays_of(problem_, use);
     x[static_cast<std::size_t>(columns.chosen)] = 1;
+    for (std::size_t r = 0; r < filled.units[u].size(); ++r) {
+      if (filled.units[u][r] > 0) x[static_cast<std::size_t>(columns.on_remnants[r])] = filled.units[u][r];
+    }
   }
   return x;
 }

@@ -3,10 +3,12 @@
 //   x[a][c]   units of plies of colour c under marker a
 //   y[a]      lays of marker a
 //   z[a]      1 when marker a is cut at all
-//   minimise  sum of unit[a] x[a][c] + lay[a] y[a] + marker z[a]
+//   w[a][r]   of the units of marker a in the colour of remnant r, those that lie on it
+//   minimise  sum of unit[a] x[a][c] + lay[a] y[a] + marker z[a] - saving length[a] w[a][r]
 //   so that   least[c][s] <= sum over a of a[s] x[a][c] <= most[c][s]     what is delivered
 //             sum over c of x[a][c] <= (units of a lay) y[a]
 //             x[a][c] <= most[a][c] z[a],   z[a] <= y[a]
+//             sum over r of colour c of w[a][r] <= x[a][c],   sum over a of length[a] w[a][r] <= length of r
 //             sum of z[a] >= the fewest markers that a cutting is known to have
 //             sum of y[a] >= the lays that as many full bundles need as the order has garments
 // Departs from the thesis: it minimises cost, where the thesis maximises the sum of efficiencies, and it has colours,
@@ -36,8 +38,11 @@ class CuttingProgram {
   struct Columns {
     std::vector<int> units;  // by colour; -1: none
     int lays{-1}, chosen{-1};
+    std::vector<int> on_remnants;  // by remnant; -1: none
   };
   void add_candidate(const Candidate& candidate);
+  void add_remnants(std::size_t candidate);
+  void add_remnant_lengths();
   void add_deliveries();
   void add_counts(int fewest);
 

@@ -8,6 +8,7 @@
 #include "core/lp/solver/solve.h"
 #include "core/planning/program/cutting_program.h"
 #include "core/planning/program/generation.h"
+#include "core/planning/program/remnants.h"
 #include "core/planning/program/tuning.h"
 
 namespace selvage::planning::program {
@@ -15,7 +16,7 @@ namespace {
 
 using Entry = lp::LinearProgram::Entry;
 
-// The rows of the program: two for each colour and size that is ordered.
+// The rows of the program: two for each colour and size that is ordered, then one for each colour with remnants.
 struct Delivery {
   std::size_t colour{}, size{};
 };
@@ -55,12 +56,19 @@ class Master {
       const auto [colour, size] = deliveries_[k];
       worth_[colour][size] = problem_.plies_of_unit() * (solution.dual[2 * k] - solution.dual[2 * k + 1]);
     }
+    saved_.assign(problem_.order.colours.size(), 0);
+    std::size_t row = 2 * deliveries_.size();
+    for (std::size_t colour = 0; colour < saved_.size(); ++colour) {
+      if (has_remnants(colour)) saved_[colour] = solution.dual[row++];
+    }
     return true;
   }
 
   [[nodiscard]] double bound() const { return bound_; }
   // The rate at which the bound rises with the units of plies that deliver one bundle of this size.
   [[nodiscard]] double worth(std::size_t colour, std::size_t size) const { return worth_[colour][size]; }
+  // What a millimetre of a ply of this colour saves at most, because remnants are still to be had.
+  [[nodiscard]] double saved(std::size_t colour) const { return saved_[colour]; }
   [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
 
   // What a cutting that uses the candidate costs beyond the bound.  With X units in all, that is at least X times the
@@ -72,7 +80,8 @@ class Master {
     double reduced = lp::kInfinity;
     for (std::size_t colour = 0; colour < price.most.size(); ++colour) {
       if (price.most[colour] == 0) continue;
-      double cost = relaxed_unit(problem_, price);
+      double cost =
+          relaxed_unit(problem_, price) - saved_[colour] * problem_.unit_length(candidates_[candidate].length);
       for (std::size_t size = 0; size < problem_.order.sizes.size(); ++size)
         cost -= candidates_[candidate].ratio[size] * worth_[colour][size];
       reduced = std::min(reduced, cost);
@@ -111,7 +120,24 @@ class Master {
       for (Entry& entry : row) entry.value = -entry.value;
       program.add_row(row, -problem_.most(colour, size));
     }
+    add_remnants(program, columns);
     return program;
+  }
+
+  [[nodiscard]] bool has_remnants(std::size_t colour) const {
+    return problem_.remnant_saving() > 0 && remnant_length(problem_, colour) > 0;
+  }
+  // The remnants of a colour as one length, of which no more is used than the plies take.
+  void add_remnants(lp::LinearProgram& program, const std::vector<std::vector<int>>& columns) const {
+    for (std::size_t colour = 0; colour < problem_.order.colours.size(); ++colour) {
+      if (!has_remnants(colour)) continue;
+      const int used = program.add_column(-problem_.remnant_saving(), 0, remnant_length(problem_, colour));
+      std::vector<Entry> row{{used, -1}};
+      for (std::size_t k = 0; k < candidates_.size(); ++k) {
+        if (columns[k][colour] >= 0) row.push_back({columns[k][colour], problem_.unit_length(candidates_[k].length)});
+      }
+      program.add_row(row, 0);
+    }
   }
 
   const orders::Problem& problem_;
@@ -121,6 +147,7 @@ class Master {
   std::vector<Price> prices_;
   double bound_{};
   std::vector<std::vector<double>> worth_;  // by colour, by size
+  std::vector<double> saved_;               // by colour
 };
 
 Relaxation relaxation_of(const Master& master) {
@@ -135,7 +162,7 @@ PricingProblem pricing_of(const orders::Problem& problem, const orders::LengthEs
                           std::size_t colour) {
   const orders::Order& order = problem.order;
   const int unit = problem.plies_of_unit(), per_lay = problem.units_of_lay();
-  const double metre = problem.costs.metre / 1000, cut_metre = problem.costs.cut_metre / 1000;
+  const double rate = problem.roll_rate() - master.saved(colour), cut_metre = problem.costs.cut_metre / 1000;
   int most_units = 0;
   for (std::size_t c = 0; c < order.colours.size(); ++c) {
     int most = 0;
@@ -143,13 +170,13 @@ PricingProblem pricing_of(const orders::Problem& problem, const orders::LengthEs
     most_units += most;
   }
   PricingProblem pricing;
-  pricing.constant = unit * (metre * (estimate.length_of_ends() + problem.cloth.end_loss) + problem.costs.ply) +
+  pricing.constant = rate * problem.unit_length(estimate.length_of_ends()) + unit * problem.costs.ply +
                      problem.costs.lay / per_lay + problem.costs.marker / std::max(1, most_units);
   pricing.bundles = problem.limits.bundles;
   pricing.capacity = problem.limits.table - problem.cloth.end_loss - estimate.length_of_ends();
   for (std::size_t size = 0; size < order.sizes.size(); ++size) {
     pricing.weight.push_back(estimate.length_per_area() * order.sizes[size].area);
-    pricing.gain.push_back(unit * metre * pricing.weight.back() + cut_metre * order.sizes[size].perimeter / per_lay -
+    pricing.gain.push_back(unit * rate * pricing.weight.back() + cut_metre * order.sizes[size].perimeter / per_lay -
                            master.worth(colour, size));
     pricing.most.push_back(problem.most(colour, size) / unit);
   }

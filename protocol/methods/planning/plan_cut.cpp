@@ -1,12 +1,12 @@
 // plan.cut: from an order to markers, lays and plies [Li94 5.3.4].
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "core/planning/making/nested_markers.h"
-#include "protocol/formats/format.h"
+#include "core/planning/making/stored_lengths.h"
 #include "protocol/json/json_text.h"
+#include "protocol/methods/planning/plan_answer.h"
 #include "protocol/methods/planning/plan_messages.h"
 #include "protocol/methods/planning/style_garments.h"
 #include "protocol/methods/readings/reading.h"
@@ -17,9 +17,7 @@ namespace {
 namespace core = selvage::planning;
 using core::making::Garments;
 using core::orders::Problem;
-using core::program::Use;
 
-constexpr double kMillimetresOfMetre = 1000;
 constexpr double kMirrorSlack = 1;  // millimetres: digitised pairs are not exact mirror images
 
 std::size_t position_in(std::vector<std::string>& names, const std::string& name) {
@@ -53,12 +51,30 @@ Result<Demand> demand_of(const std::vector<Quantity>& quantities) {
   return demand;
 }
 
+// The remnants with their colours by position.
+Result<std::vector<core::orders::Remnant>> remnants_of(const std::vector<GivenRemnant>& given, const Demand& demand) {
+  std::vector<core::orders::Remnant> remnants;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const auto found = std::find(demand.colours.begin(), demand.colours.end(), given[k].colour);
+    if (found == demand.colours.end()) {
+      return Error{ErrorCode::kOutOfRange,
+                   "nothing is ordered in " + json::shortened(Json(given[k].colour)) + ", the colour of a remnant",
+                   "/remnants/" + std::to_string(k) + "/colour"};
+    }
+    remnants.push_back({static_cast<std::size_t>(found - demand.colours.begin()), given[k].length});
+  }
+  return remnants;
+}
+
 Result<Problem> problem_of(const PlanParams& params, const Demand& demand, const Garments& garments) {
   Problem problem{{{}, demand.colours, demand.garments}, params.cloth, params.limits, params.costs};
   for (std::size_t size = 0; size < demand.sizes.size(); ++size)
     problem.order.sizes.push_back(measured(garments, size, demand.sizes[size]));
   const Resolution resolution = garments.style.resolution;
   problem.cloth.width = to_decimal(garments.style.strip.width, resolution);
+  auto remnants = remnants_of(params.remnants.value_or(std::vector<GivenRemnant>{}), demand);
+  if (!remnants) return remnants.error();
+  problem.cloth.remnants = *std::move(remnants);
   if (problem.cloth.spread == core::orders::Spread::kOneWay) return problem;
   if (params.limits.plies < 2)
     return Error{ErrorCode::kOutOfRange, "1 is out of range; face to face, a lay has at least 2 plies", "/plies"};
@@ -74,6 +90,18 @@ Result<Problem> problem_of(const PlanParams& params, const Demand& demand, const
                  "/spread"};
   }
   return problem;
+}
+
+// What the stored markers that are given, or those of the library, say about the lengths of markers.
+std::vector<core::orders::MadeLength> stored_lengths(const PlanParams& params, const Garments& garments,
+                                                     const calls::MethodContext& context) {
+  std::vector<Marker> stored;
+  if (params.stored) {
+    for (const library::GivenMarker& given : *params.stored) stored.push_back(given.file.marker);
+  } else if (context.library) {
+    stored = context.library(one_of_each_size(garments), kNearest);
+  }
+  return lengths_like(garments, stored);
 }
 
 core::PlanSettings settings_of(const PlanParams& params) {
@@ -94,103 +122,11 @@ calls::StopCause stop_of(core::PlanEnd end, const calls::MethodContext& context)
   return stop_cause(scene::StopReason::kCancelled, context);
 }
 
-// Puts the answer together from a plan.
-class Answer {
- public:
-  // Documents have the attributes of the style's shapes; null: there are none.
-  Answer(const Problem& problem, const core::Plan& plan, const core::making::MadeMarkers& made,
-         const MarkerFile* documented)
-      : problem_{problem}, plan_{plan}, made_{made}, documented_{documented} {}
-
-  [[nodiscard]] PlanResult result() {
-    for (const Use& use : plan_.cutting.uses) add_marker(use);
-    for (const core::Lay& lay : plan_.lays) {
-      ++result_.markers[lay.marker].lays;
-      result_.lays.push_back({lay.marker, plies_of(lay.plies)});
-    }
-    add_delivered();
-    PlanCosts& cost = result_.cost;
-    cost.total = cost.cloth + cost.lays + cost.plies + cost.markers + cost.cutting;
-    result_.bound = std::min(plan_.bound, cost.total);
-    result_.complete = plan_.complete;
-    result_.candidates = plan_.candidates;
-    result_.made = plan_.made;
-    for (const core::PlanRound& round : plan_.rounds)
-      result_.rounds.push_back({round.estimated, round.real, round.best});
-    return std::move(result_);
-  }
-
- private:
-  void add_marker(const Use& use) {
-    const core::orders::Costs& costs = problem_.costs;
-    PlannedMarker marker;
-    for (std::size_t size = 0; size < use.candidate.ratio.size(); ++size) {
-      const int bundles = use.candidate.ratio[size];
-      if (bundles > 0) marker.ratio.push_back({problem_.order.sizes[size].name, bundles});
-    }
-    marker.length = use.candidate.length;
-    marker.utilisation = area_of(problem_.order, use.candidate.ratio) / (marker.length * problem_.cloth.width);
-    marker.plies = problem_.plies_of_unit() * std::accumulate(use.units.begin(), use.units.end(), 0);
-    marker.cloth = marker.plies * (marker.length + problem_.cloth.end_loss);
-    marker.cost = cost_of(problem_, use);
-    if (const Marker* made = made_.find(use.candidate.ratio)) {
-      marker.made = true;
-      if (documented_ != nullptr) marker.marker = {document_of(*made)};
-    }
-    result_.cloth += marker.cloth;
-    result_.cost.cloth += costs.metre * marker.cloth / kMillimetresOfMetre;
-    result_.cost.plies += costs.ply * marker.plies;
-    result_.cost.markers += costs.marker;
-    const int lays = lays_of(problem_, use);
-    result_.cost.lays += costs.lay * lays;
-    result_.cost.cutting +=
-        costs.cut_metre * lays * perimeter_of(problem_.order, use.candidate.ratio) / kMillimetresOfMetre;
-    result_.markers.push_back(std::move(marker));
-  }
-
-  [[nodiscard]] Json document_of(const Marker& marker) const {
-    MarkerFile file;
-    file.marker = marker;
-    for (const Shape& shape : marker.shapes) {
-      const auto& shapes = documented_->marker.shapes;
-      const auto own = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& one) { return one.id == shape.id; });
-      file.attributes.shapes.push_back(documented_->attributes.shapes[static_cast<std::size_t>(own - shapes.begin())]);
-    }
-    file.attributes.pieces.assign(marker.pieces.size(), Json::object());
-    return *formats::marker_document(file, Format::kNative);
-  }
-
-  [[nodiscard]] std::vector<PliesOfColour> plies_of(const std::vector<int>& plies) const {
-    std::vector<PliesOfColour> listed;
-    for (std::size_t colour = 0; colour < plies.size(); ++colour) {
-      if (plies[colour] > 0) listed.push_back({problem_.order.colours[colour], plies[colour]});
-    }
-    return listed;
-  }
-
-  void add_delivered() {
-    const auto cut = delivered_by(problem_, plan_.cutting.uses);
-    for (std::size_t colour = 0; colour < cut.size(); ++colour) {
-      for (std::size_t size = 0; size < cut[colour].size(); ++size) {
-        const int ordered = problem_.order.garments[colour][size];
-        if (ordered > 0)
-          result_.delivered.push_back(
-              {problem_.order.colours[colour], problem_.order.sizes[size].name, ordered, cut[colour][size]});
-      }
-    }
-  }
-
-  const Problem& problem_;
-  const core::Plan& plan_;
-  const core::making::MadeMarkers& made_;
-  const MarkerFile* documented_;
-  PlanResult result_;
-};
-
 // The core names its own fields; on the wire they have others.
 Error on_the_wire(Error error) {
   if (error.field == "/limits/table") error.field = "/table";
   if (error.field == "/limits") error.field = "/quantities";
+  if (error.field.starts_with("/cloth/")) error.field.erase(0, std::string_view{"/cloth"}.size());
   return error;
 }
 
@@ -211,9 +147,12 @@ Result<PlanResult> run_plan_cut(const PlanParams& params, const MarkerFile& styl
     const double cloth = std::min(round.best_cloth, to_decimal(kLatticeLimit - 1, style.marker.resolution));
     context.run.observer.on_round({round.number, to_lattice(cloth, style.marker.resolution)});
   };
-  const auto plan = plan_cut(*problem, settings_of(params), make, plan_run);
+  core::PlanSettings settings = settings_of(params);
+  settings.stored = stored_lengths(params, *garments, context);
+  const auto plan = plan_cut(*problem, settings, make, plan_run);
   if (!plan) return on_the_wire(plan.error());
-  PlanResult result = Answer{*problem, *plan, made, params.documents ? &style : nullptr}.result();
+  PlanResult result = plan_answer(*problem, *plan, made, params.documents ? &style : nullptr);
+  result.stored = settings.stored.size();
   result.stop = stop_of(plan->end, context);
   return result;
 }

@@ -70,6 +70,50 @@ TEST(Problem, NamesItsFirstMistake) {
   EXPECT_TRUE(mistake_in(Problem{}));
 }
 
+TEST(Problem, NamesMistakesInRollsAndRemnants) {
+  Problem problem = order_of(5);
+  problem.cloth.roll_length = 11'999;
+  EXPECT_EQ(mistake_in(problem)->field, "/cloth/rollLength") << "shorter than the table";
+  problem.cloth.roll_length = 12'000;
+  EXPECT_FALSE(mistake_in(problem));
+  problem.cloth.splice_loss = 6'001;
+  EXPECT_EQ(mistake_in(problem)->field, "/cloth/rollLength") << "shorter than two splices";
+  problem = order_of(5);
+  problem.cloth.remnants = {{0, 100}, {1, 100}};
+  EXPECT_EQ(mistake_in(problem)->field, "/cloth/remnants/1/colour");
+  problem.cloth.remnants[1] = {0, -1};
+  EXPECT_EQ(mistake_in(problem)->field, "/cloth/remnants/1/length");
+  problem.cloth.remnants.assign(101, {0, 100});
+  EXPECT_EQ(mistake_in(problem)->field, "/cloth/remnants");
+}
+
+TEST(Problem, SpreadsSplicesOverTheCloth) {
+  Problem problem = order_of(5);
+  EXPECT_DOUBLE_EQ(problem.roll_rate(), 0.005);
+  problem.cloth.roll_length = 50'500;
+  EXPECT_DOUBLE_EQ(problem.roll_rate(), 0.005 * 1.01) << "500 mm in 50,000";
+  EXPECT_DOUBLE_EQ(problem.remnant_saving(), problem.roll_rate());
+  problem.costs.remnant_metre = 6;
+  EXPECT_DOUBLE_EQ(problem.remnant_saving(), 0) << "dearer than rolls";
+}
+
+TEST(LengthEstimate, LearnsFromStoredMarkersUntilSomeAreMade) {
+  const double width = 1500;
+  const auto stored_length = [&](double area) { return 1.3 * area / width + 60; };
+  const auto made_length = [&](double area) { return 1.2 * area / width + 60; };
+  std::vector<MadeLength> stored, made;
+  for (const double area : {1e6, 2e6, 4e6, 6e6}) {
+    stored.push_back({area, stored_length(area)});
+    made.push_back({area, made_length(area)});
+  }
+  const LengthEstimate guess{width}, learnt{width, {}, stored}, corrected{width, made, stored};
+  for (const double area : {1.5e6, 5e6}) {
+    const double length = stored_length(area), real = made_length(area);
+    EXPECT_LT(std::abs(learnt.length_of(area) - length), 0.3 * std::abs(guess.length_of(area) - length));
+    EXPECT_LT(std::abs(corrected.length_of(area) - real), 0.2 * std::abs(learnt.length_of(area) - real));
+  }
+}
+
 TEST(LengthEstimate, LearnsFromMadeMarkers) {
   const double width = 1500;
   const LengthEstimate guess{width};

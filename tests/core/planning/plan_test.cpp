@@ -9,6 +9,7 @@
 #include "core/planning/making/garments.h"
 #include "core/planning/making/mirror.h"
 #include "core/planning/making/nested_markers.h"
+#include "core/planning/making/stored_lengths.h"
 #include "protocol/execution/thread_pool.h"
 #include "tests/core/planning/small_orders.h"
 
@@ -74,6 +75,20 @@ TEST(Plan, FillsLaysWithoutExceedingThem) {
     EXPECT_EQ(plies[k], plan->cutting.uses[k].units);
     EXPECT_EQ(lays[k], lays_of(problem, plan->cutting.uses[k]));
   }
+}
+
+TEST(Plan, BeginsWithWhatStoredMarkersSay) {
+  const Problem problem = trousers();
+  PlanSettings settings = quick();
+  const auto first_error = [&] {
+    const auto plan = plan_cut(problem, settings, known_lengths(problem), {});
+    EXPECT_TRUE(plan && plan->rounds.front().real);
+    return std::abs(plan->rounds.front().estimated / *plan->rounds.front().real - 1);
+  };
+  const double guessed = first_error();
+  for (const Ratio& ratio : {Ratio{1, 0, 0}, Ratio{1, 1, 0}, Ratio{1, 1, 1}, Ratio{0, 2, 1}})
+    settings.stored.push_back({area_of(problem.order, ratio), test::length_of_ratio(problem, ratio)});
+  EXPECT_LT(first_error(), guessed);
 }
 
 TEST(Plan, AvoidsMarkersThatTurnOutTooLongOrCannotBeMade) {
@@ -200,6 +215,32 @@ TEST(Making, NestsMarkersOfTheirRatio) {
   EXPECT_TRUE(marker->unplaced.empty());
   EXPECT_DOUBLE_EQ(*length, to_decimal(marker::length_of(*marker), marker->resolution));
   EXPECT_EQ(made.find({2, 0}), nullptr);
+}
+
+TEST(Making, LearnsFromStoredMarkersOfSimilarGarments) {
+  const making::Garments garments{rectangles(), {{0, 1}, {2, 3}}};
+  SumCache sums;
+  const scene::Run run{sums};
+  making::MadeMarkers made{garments, making::nest_from_nothing({20, 1}), run};
+  const auto length = made.make({1, 1});
+  ASSERT_TRUE(length);
+  const Marker like = *made.find({1, 1});
+  Marker wider = like, overlapping = like;
+  wider.strip.width *= 2;
+  overlapping.pieces[1].at = overlapping.pieces[0].at;
+  Marker small = rectangles();
+  for (Shape& shape : small.shapes) {
+    for (Vec& v : shape.outline) v = {v.x / 4, v.y / 4};
+  }
+  const making::Garments others{small, {{0, 1}, {2, 3}}};
+  making::MadeMarkers made_small{others, making::nest_from_nothing({20, 1}), run};
+  ASSERT_TRUE(made_small.make({1, 1}));
+
+  const std::vector<Marker> stored{wider, like, overlapping, *made_small.find({1, 1}), bundles_of(garments, {1, 1})};
+  const auto lengths = lengths_like(garments, stored);
+  ASSERT_EQ(lengths.size(), 1U);
+  EXPECT_NEAR(lengths[0].area, 2 * (400.0 * 300 + 450.0 * 330), 1e-6);
+  EXPECT_DOUBLE_EQ(lengths[0].length, *length);
 }
 
 TEST(Mirror, KnowsPairsAndSymmetricPieces) {

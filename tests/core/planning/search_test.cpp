@@ -48,6 +48,25 @@ TEST(Search, AgreesWithEveryCutting) {
   EXPECT_GT(feasible, 12);
 }
 
+TEST(Search, AgreesWithEveryCuttingWhereThereAreRemnants) {
+  Random random{5};
+  int feasible = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    orders::Problem problem = test::small_order_with_remnants(random);
+    const double least = EveryCutting{problem}.least_cost();
+    const SearchResult found = search(problem, lengths_of(problem), to_the_end());
+    ASSERT_EQ(found.cutting.has_value(), least < lp::kInfinity) << trial;
+    if (!found.cutting) continue;
+    EXPECT_NEAR(found.cutting->cost, least, 1e-6 * (1 + least)) << trial;
+    EXPECT_LE(found.bound, least + 1e-6 * (1 + least)) << trial;
+    EXPECT_NEAR(found.bound, least, 1e-4 * (1 + least)) << trial;
+    EXPECT_TRUE(delivers(problem, found.cutting->uses));
+    problem.cloth.remnants.clear();
+    if (EveryCutting{problem}.least_cost() > least + 1e-6) ++feasible;
+  }
+  EXPECT_GT(feasible, 6) << "remnants hardly ever save anything";
+}
+
 TEST(Search, CostsNoMoreWithMoreRatios) {
   Random random{2};
   for (int trial = 0; trial < 12; ++trial) {
@@ -126,6 +145,23 @@ TEST(Search, GeneratesCandidatesInsteadOfListingThem) {
   EXPECT_TRUE(delivers(problem, generated.cutting->uses));
   EXPECT_LE(generated.bound, listed.cutting->cost);
   EXPECT_LT(generated.cutting->cost, 1.05 * listed.cutting->cost);
+}
+
+TEST(Search, BoundsCuttingsWithRemnantsAlsoByGeneration) {
+  orders::Problem problem = larger_order();
+  const Lengths lengths{{}, orders::LengthEstimate{problem.cloth.width}, false, {}};
+  const SearchResult without = search(problem, lengths, small_search());
+  problem.cloth.remnants = {{0, 3'000}, {1, 2'500}, {1, 1'000'000}};
+  for (const std::size_t most_listed : {kMostListed, std::size_t{10}}) {
+    SearchSettings settings = small_search();
+    settings.most_listed = most_listed;
+    const SearchResult found = search(problem, lengths, settings);
+    ASSERT_TRUE(without.cutting && found.cutting);
+    EXPECT_LE(found.bound, found.cutting->cost);
+    EXPECT_GT(found.bound, 0);
+    EXPECT_LT(found.cutting->cost, without.cutting->cost);
+    EXPECT_TRUE(delivers(problem, found.cutting->uses));
+  }
 }
 
 TEST(Relaxation, GenerationProvesABoundForAllRatios) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/planning/orders/order.h"
@@ -59,6 +60,54 @@ inline std::vector<Candidate> all_candidates(const Problem& problem) {
   return candidates;
 }
 
+// The same with one to three remnants, each of which holds about one to three plies of a bundle, and with rolls.
+inline Problem small_order_with_remnants(Random& random) {
+  Problem problem = small_order(random);
+  problem.cloth.remnants.resize(1 + random.below(3));
+  for (auto& remnant : problem.cloth.remnants) {
+    remnant.colour = random.below(problem.order.colours.size());
+    remnant.length = problem.plies_of_unit() * (800 + 100.0 * static_cast<double>(random.below(20)));
+  }
+  problem.costs.remnant_metre = static_cast<double>(random.below(2));
+  problem.cloth.roll_length = random.below(2) == 0 ? 0 : 15'000;
+  return problem;
+}
+
+// The greatest length that remnants cover, by trying to put every unit on every remnant of its colour.
+class EverySpreading {
+ public:
+  EverySpreading(const Problem& problem, const std::vector<Use>& uses) : problem_{problem} {
+    for (const auto& remnant : problem.cloth.remnants) left_.push_back(remnant.length);
+    for (const Use& use : uses) {
+      for (std::size_t colour = 0; colour < use.units.size(); ++colour) {
+        for (int k = 0; k < use.units[colour]; ++k)
+          units_.push_back({colour, problem.unit_length(use.candidate.length)});
+      }
+    }
+    descend(0, 0);
+  }
+  [[nodiscard]] double most() const { return most_; }
+
+ private:
+  void descend(std::size_t unit, double covered) {
+    most_ = std::max(most_, covered);
+    if (unit == units_.size()) return;
+    descend(unit + 1, covered);
+    const auto [colour, length] = units_[unit];
+    for (std::size_t r = 0; r < left_.size(); ++r) {
+      if (problem_.cloth.remnants[r].colour != colour || left_[r] < length) continue;
+      left_[r] -= length;
+      descend(unit + 1, covered + length);
+      left_[r] += length;
+    }
+  }
+
+  const Problem& problem_;
+  std::vector<double> left_;
+  std::vector<std::pair<std::size_t, double>> units_;  // colour and length
+  double most_{};
+};
+
 // Tries all numbers of units of all ratios and colours.
 class EveryCutting {
  public:
@@ -99,6 +148,7 @@ class EveryCutting {
       for (const int units : use.units) used = used || units > 0;
       if (used) cost += cost_of(problem_, use);
     }
+    if (!problem_.cloth.remnants.empty()) cost -= problem_.remnant_saving() * EverySpreading{problem_, uses_}.most();
     least_ = std::min(least_, cost);
   }
 

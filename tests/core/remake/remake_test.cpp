@@ -123,6 +123,11 @@ TEST(Remake, IsNoLongerWithAnotherStoredMarker) {
   ASSERT_EQ(one.outcome, Outcome::kRemade);
   EXPECT_GT(two.attempts.size(), one.attempts.size());
   EXPECT_LE(two.length_after, one.length_after);
+  for (const Attempt& attempt : one.attempts) {
+    const auto again = std::ranges::find(two.attempts, attempt.stored, &Attempt::stored);
+    ASSERT_NE(again, two.attempts.end()) << "a try is missing";
+    EXPECT_EQ(again->marker, attempt.marker) << "a try depends on another stored marker";
+  }
 }
 
 bool searched(const Attempt& attempt) {

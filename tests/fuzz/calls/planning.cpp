@@ -28,6 +28,10 @@ void judge(const Json& params, const Json& plan) {
     demand(cut <= ordered * (1 + over) + 1 + 1e-6, "more garments are cut than allowed");
   }
   demand(plan["bound"].number() <= plan["cost"]["total"].number() * (1 + 1e-9), "the bound is above the cost");
+  for (const Json& remnant : plan["remnants"]) {
+    const double length = remnant["length"].number();
+    demand(remnant["used"].number() <= length * (1 + 1e-9) + 1e-3, "more of a remnant is used than there is");
+  }
 }
 
 }  // namespace

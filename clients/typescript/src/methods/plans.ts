@@ -27,8 +27,12 @@ export type Delivered = {
 export type PlanCosts = {
   /** The sum of the costs. */
   total: number;
-  /** Cloth with end losses. */
+  /** Cloth from rolls, with end losses. */
   cloth: number;
+  /** Cloth that splices take, as many as so much cloth has on an average. */
+  splices: number;
+  /** Cloth from remnants. */
+  remnants: number;
   /** Setting up lays. */
   lays: number;
   /** Spreading plies. */
@@ -63,10 +67,40 @@ export type PlannedMarker = {
   plies: number;
   /** Length of cloth that they take, with end losses. */
   cloth: number;
-  /** The cost of making the marker and cutting its lays. */
+  /** The cost of making the marker and cutting its lays; cloth from remnants at its price. */
   cost: number;
   /** Its document in the native form; absent when it was not made or not asked for. */
   marker?: MarkerDocument;
+};
+
+/** What a plan takes from a remnant. */
+export type PlannedRemnant = {
+  /** The colour. */
+  colour: string;
+  /** Its length. */
+  length: number;
+  /** Number of plies that come from it. */
+  plies: number;
+  /** The length that they take, with end losses. */
+  used: number;
+  /** What is left of it. */
+  left: number;
+};
+
+/** What a plan takes from the rolls of a colour, spread one after another. */
+export type PlannedRolls = {
+  /** The colour. */
+  colour: string;
+  /** The length of the plies that come from rolls, with end losses. */
+  cloth: number;
+  /** Number of rolls that are begun; 0 when rolls have no end. */
+  rolls: number;
+  /** Number of plies that are spliced. */
+  splices: number;
+  /** Length lost in splices, and in ends that are shorter than a splice. */
+  lost: number;
+  /** What is left of the last roll: a remnant for another order. */
+  left: number;
 };
 
 /** A round of choosing markers and making them. */
@@ -85,6 +119,8 @@ export type PliesOfColour = {
   colour: string;
   /** At least 1. */
   plies: number;
+  /** Position in the list of remnants of the one that they come from; absent: they come from rolls. */
+  remnant?: number;
 };
 
 /** How many garments are ordered. */
@@ -95,6 +131,14 @@ export type Quantity = {
   size: string;
   /** 0 to 1,000,000. */
   garments: number;
+};
+
+/** Cloth that an earlier order has left. */
+export type Remnant = {
+  /** One of the order's colours. */
+  colour: string;
+  /** Its length; above 0. */
+  length: number;
 };
 
 /** How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces. */
@@ -112,6 +156,12 @@ export interface PlanMethods {
       spread?: Spread;
       /** Cloth that every ply loses at its two ends together. */
       endLoss?: number;
+      /** The length of a roll; plies are spliced where one ends. 0: rolls have no end. Else no shorter than the table and than two splices. */
+      rollLength?: number;
+      /** Cloth that a splice takes: the overlap of two rolls in a ply. */
+      spliceLoss?: number;
+      /** Up to 100 lengths of cloth that are there already. They hold whole plies, which are not spliced. */
+      remnants?: Array<Remnant>;
       /** Most plies of a lay, 1 to 1,000. */
       plies?: number;
       /** Most length of a ply: that of the marker and the end loss. */
@@ -122,8 +172,10 @@ export interface PlanMethods {
       overCut?: number;
       /** Part by which fewer may be cut, 0 to 1. */
       underCut?: number;
-      /** The cost of a metre of cloth. */
+      /** The cost of a metre of cloth from rolls. */
       costMetre?: number;
+      /** The cost of a metre of cloth from remnants. */
+      costRemnantMetre?: number;
       /** The cost of setting up a lay. */
       costLay?: number;
       /** The cost of spreading a ply. */
@@ -144,6 +196,8 @@ export interface PlanMethods {
       movesPerPiece?: number;
       /** The seed of nesting's random choices. */
       seed?: number;
+      /** Stored markers, native or sparrow documents: those of similar garments on such cloth teach how long markers become. The nearest of the library when absent. */
+      stored?: Array<MarkerDocument | Record<string, unknown>>;
       /** False: leave out the markers' documents. */
       documents?: boolean;
       /** After this many milliseconds the best plan so far is returned; 1 to 86,400,000. */
@@ -162,7 +216,11 @@ export interface PlanMethods {
       lays: Array<PlannedLay>;
       /** For every colour and size that is ordered. */
       delivered: Array<Delivered>;
-      /** Length of cloth in all, with end losses. */
+      /** In the order in which they were given. */
+      remnants: Array<PlannedRemnant>;
+      /** For every colour. */
+      rolls: Array<PlannedRolls>;
+      /** Length of cloth in all plies, with end losses. */
       cloth: number;
       /** What the plan costs. */
       cost: PlanCosts;
@@ -174,6 +232,8 @@ export interface PlanMethods {
       candidates: number;
       /** Number of markers that were made. */
       made: number;
+      /** Number of stored markers that the first estimate of lengths was learnt from. */
+      stored: number;
       /** What each round came to. */
       rounds: Array<PlanningRound>;
       /** Why the motion ended. */
