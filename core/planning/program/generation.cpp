@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/planning/program/tuning.h"
-
 namespace selvage::planning::program {
 namespace {
+
+constexpr std::size_t kPricingNodes = 200'000;  // of one search for the ratio of the least reduced cost
 
 class Pricing {
  public:

@@ -9,12 +9,14 @@
 #include "core/planning/program/cutting_program.h"
 #include "core/planning/program/generation.h"
 #include "core/planning/program/remnants.h"
-#include "core/planning/program/tuning.h"
 
 namespace selvage::planning::program {
 namespace {
 
 using Entry = lp::LinearProgram::Entry;
+
+constexpr int kGenerations = 200;           // rounds of column generation
+constexpr double kPricingTolerance = 1e-7;  // of the bound: reduced costs above minus this end the generation
 
 // The rows of the program: two for each colour and size that is ordered, then one for each colour with remnants.
 struct Delivery {

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/planning/program/tuning.h"
-
 namespace selvage::planning::program {
 namespace {
 
-constexpr double kSlack = 1e-6;  // millimetres, of rounding in sums of lengths
+constexpr double kSlack = 1e-6;                // millimetres, of rounding in sums of lengths
+constexpr std::size_t kRemnantSteps = 20'000;  // of choosing what lies on the remnants of a colour
 
 // The remnants of one colour.
 class Filling {
