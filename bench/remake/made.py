@@ -1,7 +1,8 @@
 """Makes the markers that the measurement of remaking needs, once, and stores them.
 
 Stored markers: garments nested from nothing with 60,000 moves, or the jeans that sparrow laid out in 260 seconds; then accuracy
-`fine`.  For orders of other size mixes there are five of them, each of a mix of its own.
+`fine`.  For orders of other size mixes there are five of them, each of a mix of its own; and so are those of orders that differ by
+their stored marker alone.
 """
 import json
 import pathlib
@@ -17,7 +18,10 @@ import race as nesters  # noqa: E402
 
 MOVES, MIX_MOVES = 60_000, 600_000  # budgets for a stored marker and for an order to compare with: about 6 and 60 s
 MIXES = range(1001, 1006)  # the seeds of the stored mixes; the seeds of orders are smaller
-RACES = (("jeans_02g", 1), ("simon_06g", 1), ("jeans_06g", 1), ("simon_06g", 2), ("jeans_02g", 3), ("jeans_06g", 2))
+SPREAD_MIXES = range(2001, 2015)  # of each garment
+# Garments of the table, and instances of the literature, on which remaking was never tuned.
+RACES = (*((garment, seed) for seed in (1, 2, 3) for garment in ("jeans_06g", "simon_06g", "charlie_04g")),
+         ("trousers", 1), ("shirts", 1), ("dagli", 1), ("albano", 1))
 
 
 def run(*words):
@@ -26,8 +30,10 @@ def run(*words):
 
 def source_of(options, garment):
     """The file with a garment's pieces: an example, or a file of the data."""
-    path = EXAMPLES / f"{garment}.json"
-    return path if path.exists() else options.data / "garments" / f"{garment}.json"
+    for folder in (EXAMPLES, options.data / "garments", options.data / "strip" / "records"):
+        if (folder / f"{garment}.json").exists():
+            return folder / f"{garment}.json"
+    raise FileNotFoundError(garment)
 
 
 def nested(options, order, name):

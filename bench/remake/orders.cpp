@@ -75,8 +75,13 @@ Polygon reshaped(const Polygon& outline, const Reshaping& by) {
 }
 
 void grade(Marker& marker, const std::vector<Json>& attributes, double part, Choices& choices) {
+  std::vector<std::string> sizes;  // by shape
+  for (const Json& shape : attributes) sizes.push_back(size_of(shape));
+  if (std::ranges::all_of(sizes, &std::string::empty)) {
+    for (std::size_t k = 0; k < sizes.size(); ++k) sizes[k] = std::to_string(k);
+  }
   std::map<std::string, double> factors;
-  for (const Json& shape : attributes) factors.emplace(size_of(shape), 1);
+  for (const std::string& size : sizes) factors.emplace(size, 1);
   std::vector<double> spread;
   for (std::size_t k = 0; k < factors.size(); ++k) {
     const auto steps = static_cast<double>(std::max<std::size_t>(1, factors.size() - 1));
@@ -85,7 +90,7 @@ void grade(Marker& marker, const std::vector<Json>& attributes, double part, Cho
   choices.shuffle(spread);
   for (std::size_t k = 0; auto& [size, factor] : factors) factor = spread[k++];
   for (std::size_t k = 0; k < marker.shapes.size(); ++k) {
-    change_outline(marker, marker.shapes[k], scaled(marker.shapes[k].outline, factors.at(size_of(attributes[k]))));
+    change_outline(marker, marker.shapes[k], scaled(marker.shapes[k].outline, factors.at(sizes[k])));
   }
 }
 

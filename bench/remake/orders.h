@@ -8,7 +8,8 @@
 //   counts   the part of the pieces is left out or, as often, cut twice
 //   mixed    as many bundles as the marker has, or as many times that as the part says when it is above 0, each of a
 //            size that is drawn at random
-// Sizes are recognised by the attribute "size" of the shapes.  The same seed makes the same order everywhere.
+// Sizes are recognised by the attribute "size" of the shapes; where no shape has it, `graded` takes every shape for a
+// size.  The same seed makes the same order everywhere.
 #pragma once
 
 #include <cstdint>
