@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-constexpr milliseconds kFirstPause{20}, kLongestPause{1000};  // between attempts to connect
+constexpr milliseconds kFirstPause{20}, kLongestPause{1000};  // between attempts to connect, or to call a busy daemon
 constexpr std::string_view kAuthId = "auth";                  // ids of requests that the conversation itself makes
 constexpr std::string_view kWatchId = "watch ";               // followed by the marker's id
 
@@ -89,7 +89,8 @@ void Conversation::connected() {
   state_ = State::kOpen;
   reconnected_ = std::exchange(was_connected_, true);
   if (!settings_.token.empty()) connection_->send(internal_request(kAuthId, "auth", {{"token", settings_.token}}));
-  refused_.clear();
+  refused_watches_.clear();
+  refused_calls_.clear();
   for (const std::string& marker : watched_) send_watch(marker);
   for (auto& [id, call] : open_) send(call);
 }
@@ -114,7 +115,11 @@ void Conversation::receive(const std::string& line) {
 void Conversation::receive_answer(const Json& message) {
   const Json& id = message["id"];
   Answer received = answer_in(message);
-  if (id.is_number_unsigned()) return answer(id.get<CallId>(), std::move(received));
+  if (id.is_number_unsigned()) {
+    const auto call = id.get<CallId>();
+    const bool refused = !received && received.error().code == CallCode::kBusy && Clock::now() < try_until_;
+    return refused ? call_later(call) : answer(call, std::move(received));
+  }
   if (received) return;
   if (id == kAuthId) {
     connection_->close();
@@ -139,14 +144,29 @@ void Conversation::receive_notification(const Json& message) {
   if (handlers_.notified) handlers_.notified(method.get<std::string>(), params);
 }
 
-// The daemon is still loading its markers.
+// The daemon, which may still be loading its markers, has done nothing of the call.
+void Conversation::call_later(CallId id) {
+  const auto found = open_.find(id);
+  if (found == open_.end()) return;
+  found->second.sent = false;
+  refused_calls_.insert(id);
+  retry_later();
+}
+
 void Conversation::watch_later(const std::string& marker) {
-  refused_.insert(marker);
+  refused_watches_.insert(marker);
+  retry_later();
+}
+
+void Conversation::retry_later() {
   retry_timer_.expires_after(kFirstPause);
   retry_timer_.async_wait([this](const boost::system::error_code& error) {
     if (error || state_ != State::kOpen) return;
-    for (const std::string& wanted : std::exchange(refused_, {})) {
-      if (watched_.contains(wanted)) send_watch(wanted);
+    for (const std::string& marker : std::exchange(refused_watches_, {})) {
+      if (watched_.contains(marker)) send_watch(marker);
+    }
+    for (const CallId id : std::exchange(refused_calls_, {})) {
+      if (const auto found = open_.find(id); found != open_.end()) send(found->second);
     }
   });
 }

@@ -56,7 +56,9 @@ class Conversation {
   void report_closed(const std::string& marker);
   void update_watched(const OpenCall& call);
   void send_watch(const std::string& marker);
+  void call_later(CallId id);
   void watch_later(const std::string& marker);
+  void retry_later();
   void handle_disconnect(const std::string& why);
   void handle_failure(const std::string& why);
   void handle_untrusted(const std::string& why);
@@ -79,7 +81,10 @@ class Conversation {
   std::chrono::milliseconds next_pause_{};
   std::map<CallId, OpenCall> open_;
   std::set<std::string> watched_;
-  std::set<std::string> refused_;  // the subset that the daemon refused to watch while it was loading its markers
+  // What the daemon refused because it was busy, for instance while it was loading its markers, and is asked again:
+  // markers to watch, and calls that began while the daemon was being looked for.
+  std::set<std::string> refused_watches_;
+  std::set<CallId> refused_calls_;
 };
 
 }  // namespace selvage::client

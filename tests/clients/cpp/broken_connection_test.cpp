@@ -30,13 +30,17 @@ class StagedServer {
     received_.erase(0, size);
     return message;
   }
-  void answer(const Json& id, const Json& result) {
-    asio::write(*socket_, asio::buffer(Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}.dump() + "\n"));
+  void answer(const Json& id, const Json& result) { send({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}); }
+  void refuse(const Json& id) {
+    const Json error{{"code", CallCode::kBusy}, {"message", "the server is loading its markers"}};
+    send({{"jsonrpc", "2.0"}, {"id", id}, {"error", error}});
   }
   void disconnect() { socket_.reset(); }
   void stop_listening() { acceptor_.close(); }
 
  private:
+  void send(const Json& message) { asio::write(*socket_, asio::buffer(message.dump() + "\n")); }
+
   asio::io_context io_;
   tcp::acceptor acceptor_{io_, {asio::ip::address_v4::loopback(), 0}};
   std::optional<tcp::socket> socket_;
@@ -101,6 +105,32 @@ TEST(BrokenConnection, WatchesAreRestored) {
   const Json again = server.receive();
   EXPECT_EQ(again["method"], "marker.watch");
   EXPECT_EQ(again["params"]["markerId"], "m7");
+}
+
+TEST(BrokenConnection, ACallThatALoadingDaemonRefusesIsSentAgain) {
+  StagedServer server;
+  Client client{server.address()};
+  Call call = client.begin("motion.compact", {{"markerId", "m1"}});
+  server.accept();
+  const Json first = server.receive();
+  server.disconnect();
+  server.accept();
+  server.refuse(server.receive()["id"]);
+  const Json again = server.receive();
+  EXPECT_EQ(again, first);
+  server.answer(again["id"], "done");
+  EXPECT_TRUE(call.answer.get());
+}
+
+TEST(BrokenConnection, ABusyDaemonsRefusalIsReturnedOnAFirstConnection) {
+  StagedServer server;
+  Client client{server.address()};
+  Call call = client.begin("engine.info");
+  server.accept();
+  server.refuse(server.receive()["id"]);
+  const Answer answer = call.answer.get();
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().code, CallCode::kBusy);
 }
 
 TEST(BrokenConnection, GivesUpAfterTheTimeLimit) {
