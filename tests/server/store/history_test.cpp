@@ -36,7 +36,7 @@ TEST(History, KeepsALimitedNumberOfSteps) {
 
 TEST(History, KeepsWholeMarkersOnlyIfMovesDoNotSufficeAndWithinItsMemory) {
   History history;
-  constexpr std::size_t kPieces = 20'000;
+  constexpr std::size_t kPieces = 15'000;
   for (std::size_t extra = 0; extra < 40; ++extra) {
     const auto before = state(0, kPieces + extra);
     const auto moves = protocol::edits::moves_between(*before, *state(0, kPieces + extra + 1));
