@@ -111,7 +111,8 @@ void add_parts(Random& random, Marker& marker) {
     const Polygon corners{outline[first], outline[second], outline.back()};
     const auto part = clean_polygon(corners);
     if (!part) continue;
-    piece.rules.part = marker::Part{part->polygon, static_cast<marker::Quality>(random.below(worst))};
+    piece.rules.part =
+        marker::Part{part->polygon, static_cast<marker::Quality>(random.below(static_cast<std::size_t>(worst)))};
     if (!part_is_polygon(piece)) piece.rules.part.reset();
   }
 }
