@@ -29,6 +29,7 @@ IntegerSolution solve_by_branch_and_cut(const IntegerProgram&, const IntegerLimi
 namespace selvage::server::jobs {
 
 void run_promptly(Promptness) {}
+void woke_up_after(std::chrono::steady_clock::duration) {}
 
 }  // namespace selvage::server::jobs
 

@@ -116,11 +116,13 @@ void announce(const Options& options, Daemon& daemon) {
 // REQUIRES: no thread that answers calls has been started.
 void choose_priorities(const Options& options) {
   if (options.real_time == RealTime::kOff) return;
-  const auto level = options.real_time == RealTime::kOn ? spdlog::level::warn : spdlog::level::info;
+  const bool always = options.real_time == RealTime::kOn;
+  const auto level = always ? spdlog::level::warn : spdlog::level::info;
   if (options.workers == 0) {
     spdlog::log(level, "no real-time priorities: with --workers 0 motions run on the I/O thread");
-  } else if (jobs::use_real_time(true)) {
-    spdlog::info("real-time priorities for the threads that all clients wait for");
+  } else if (jobs::use_real_time(always ? jobs::RealTime::kAlways : jobs::RealTime::kWhenLate)) {
+    spdlog::info("real-time priorities for the threads that all clients wait for{}",
+                 always ? "" : ", while any of them waits for a processor");
   } else {
     spdlog::log(level, "no real-time priorities: the system allows none, so quick calls may wait for a processor");
   }

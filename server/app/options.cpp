@@ -63,9 +63,11 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
-  app.add_option("--real-time", raw.real_time,
-                 "Real-time priorities for the threads that all clients wait for. auto, or no value: if the system "
-                 "allows them; on: likewise, and the log warns if it does not; off: never")
+  app.add_option(
+         "--real-time", raw.real_time,
+         "Real-time priorities for the threads that all clients wait for, if the system allows them. auto, or "
+         "no value: while any of them waits for a processor; on: always, and the log warns if the system allows "
+         "none; off: never")
       ->transform(
           CLI::Transformer(std::map<std::string, std::string>{{"true", "on"}, {"false", "off"}}).description(""))
       ->check(CLI::IsMember({"auto", "on", "off"}))

@@ -16,10 +16,10 @@
 
 namespace selvage::server::app {
 
-// Whether the threads that all clients wait for get real-time priorities.
+// When the threads that all clients wait for have real-time priorities, if the system allows them.
 enum class RealTime {
-  kAuto,  // if the system allows them
-  kOn,    // the same, but the log warns if it does not
+  kAuto,  // while any of them wakes up late
+  kOn,    // always; the log warns if the system allows none
   kOff,
 };
 

@@ -52,6 +52,7 @@ void DeadlineClock::tick(const std::stop_token& stop) {
     const auto on_time = std::move(alarms_.begin()->second);
     alarms_.erase(alarms_.begin());
     lock.unlock();
+    woke_up_after(now() - next);
     on_time();
     lock.lock();
   }

@@ -83,6 +83,7 @@ std::condition_variable& JobQueue::make_ready(Job job) {
   const bool quick_takes_it = job.quick && idle_quick_ > ready_quick_;
   ready_quick_ += job.quick ? 1 : 0;
   job.ready_at = now_();
+  job.wakes_worker = quick_takes_it;
   const std::uint64_t session = job.session;
   ready_.push(session, std::move(job));
   return quick_takes_it ? quick_ : work_;
@@ -187,7 +188,9 @@ void JobQueue::serve(std::optional<Promptness> only_quick) {
     --idle;
     if (!job) return;
     const RunningJob running = begin(*job);
+    const Job::Time began = running->began;
     lock.unlock();
+    if (only_quick) woke_up_after(job->wakes_worker ? began - job->ready_at : Job::Time::duration{});
     run(*std::move(job), running);
     lock.lock();
   }

@@ -51,6 +51,7 @@ struct Job {
   Work work;                                          // an exception is logged and ends only this job
   std::shared_ptr<const std::atomic<bool>> ending{};  // true: it has been answered, or is about to; null: not known
   Time ready_at{};                                    // when only workers were missing; set by the queue
+  bool wakes_worker{};                                // an idle one for quick jobs, at that time; set by the queue
 };
 
 enum class Admission { kAccepted, kFull, kTooLate, kDraining };

@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <thread>
 
+#include "server/jobs/lateness.h"
 #include "server/jobs/real_time_share.h"
 #include "server/jobs/scheduling.h"
 
@@ -41,32 +43,49 @@ void change(const Change& to) {
   (void)write_scheduling(own);
 }
 
-std::atomic<bool>& real_time() {
-  static std::atomic<bool> used{false};
-  return used;
+// Of all threads of the process.
+std::atomic<RealTime> real_time_when{RealTime::kNever};
+Lateness lateness_of_all;
+
+// Of the calling thread.
+thread_local std::optional<Urgency> own_urgency;  // none: it is not a prompt thread
+thread_local std::unique_ptr<RealTimeShare> own_share;
+
+void set_real_time(bool wanted) {
+  if (!wanted) {
+    own_share.reset();
+  } else if (!own_share) {
+    own_share = RealTimeShare::begin(own_urgency->priority, share_of(*own_urgency));
+  }
 }
 
 }  // namespace
 
-bool use_real_time(bool wanted) {
-  bool possible = !wanted;
+bool use_real_time(RealTime when) {
+  bool possible = when == RealTime::kNever;
   // A thread of its own, because this one is to keep its priority.
-  if (wanted) {
+  if (!possible) {
     std::jthread{[&possible] {
       const Urgency first = urgency_of(Promptness::kFirst);
       possible = RealTimeShare::begin(first.priority, first.share) != nullptr;
     }}.join();
   }
-  if (possible) real_time() = wanted;
+  if (possible) real_time_when = when;
   return possible;
 }
 
 void run_promptly(Promptness how) {
-  thread_local std::unique_ptr<RealTimeShare> share;
-  share.reset();
-  const Urgency urgency = urgency_of(how);
-  change([&urgency](Scheduling& own) { own.runtime = urgency.time_slice; });
-  if (real_time()) share = RealTimeShare::begin(urgency.priority, share_of(urgency));
+  set_real_time(false);
+  own_urgency = urgency_of(how);
+  change([](Scheduling& own) { own.runtime = own_urgency->time_slice; });
+  set_real_time(real_time_when == RealTime::kAlways);
+}
+
+void woke_up_after(std::chrono::steady_clock::duration waited) {
+  if (real_time_when != RealTime::kWhenLate) return;
+  const auto now = std::chrono::steady_clock::now();
+  lateness_of_all.record(waited, now);
+  if (own_urgency) set_real_time(lateness_of_all.lately(now));
 }
 
 void give_way() {

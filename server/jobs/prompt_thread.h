@@ -11,22 +11,35 @@ enum class Promptness {
   kNext,   // a quick change or an opening waits for it, which may take some milliseconds
 };
 
-// Whether run_promptly() gives real-time priorities from now on, to any thread of the process; unless told so, it does
-// not.  Returns false, and changes nothing, if the system allows none: without the capability CAP_SYS_NICE, the limit
+enum class RealTime {
+  kNever,
+  kWhenLate,  // for a second after any of these threads has woken up late (lateness.h)
+  kAlways,
+};
+
+// When the threads for which run_promptly() is called from now on have real-time priorities; unless told so, never.
+// Returns false, and changes nothing, if the system allows none: without the capability CAP_SYS_NICE, the limit
 // RLIMIT_RTPRIO has to be 3.
-[[nodiscard]] bool use_real_time(bool wanted);
+[[nodiscard]] bool use_real_time(RealTime when);
 
 // Asks the kernel to let the calling thread run as soon as it has work.
 //
 // With a real-time priority it interrupts at once every thread that has none, for a share of its time: of 100 ms, 60 if
 // it comes first, 30 if it comes soon and 10 if it comes next, or half of that where there is one processor
-// (real_time_share.h).  Threads that it starts later have none.
+// (real_time_share.h).  Threads that it starts later have none.  While processors are idle, calls are answered sooner
+// without: Linux wakes such a thread on another processor than the thread that wakes it, and an idle processor takes
+// some time to wake up.
 //
 // Without, and when it has had its share, it asks for short time slices: from 6.12 on, Linux interrupts threads with
 // longer ones for it, unless it has just had its share of the processor, or others wait as well.  That share stays what
 // it was.  Older kernels, and systems that forbid the call, go on as before, where it may have to wait for the end of
 // another thread's slice, which takes some milliseconds.
 void run_promptly(Promptness how);
+
+// The calling thread has woken up for work that it was given so long ago, when it waited for nothing else.  With
+// RealTime::kWhenLate a thread of run_promptly() gains or loses its priority here; of others it is only recorded
+// whether they were late.
+void woke_up_after(std::chrono::steady_clock::duration waited);
 
 // From now on the calling thread, and those that it starts, have a third of the share in a busy processor that others
 // have: so these have rarely had theirs when they wake up.

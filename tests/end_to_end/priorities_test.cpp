@@ -49,17 +49,21 @@ TEST_F(SelvagedPriorities, TheThreadsThatAllClientsWaitForHaveShortTimeSlices) {
 
 class SelvagedInRealTime : public SelvagedTest {
  protected:
-  // How many threads have the priorities 1, 2 and 3 in real time, as soon as it is `wanted`: a thread asks for it when
-  // it first runs, which on busy cores may be after the first answer.
+  // How many threads have the priorities 1, 2 and 3 in real time.
+  static std::vector<std::size_t> threads_by_priority(const Process& selvaged) {
+    std::vector<std::size_t> threads(3);
+    for (const auto& entry : std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
+      const unsigned priority = server::jobs::real_time_priority(std::stoi(entry.path().filename().string()));
+      if (priority > 0) ++threads.at(priority - 1);
+    }
+    return threads;
+  }
+  // The same, as soon as it is `wanted`: a thread asks for it when it first runs, which on busy cores may be after the
+  // first answer.
   static std::vector<std::size_t> threads_by_priority(const Process& selvaged, const std::vector<std::size_t>& wanted) {
     std::vector<std::size_t> threads;
     for (int tries = 0; tries < 200; ++tries) {
-      threads.assign(3, 0);
-      for (const auto& entry :
-           std::filesystem::directory_iterator{"/proc/" + std::to_string(selvaged.id()) + "/task"}) {
-        const unsigned priority = server::jobs::real_time_priority(std::stoi(entry.path().filename().string()));
-        if (priority > 0) ++threads.at(priority - 1);
-      }
+      threads = threads_by_priority(selvaged);
       if (threads == wanted) break;
       std::this_thread::sleep_for(std::chrono::milliseconds{50});
     }
@@ -67,9 +71,22 @@ class SelvagedInRealTime : public SelvagedTest {
   }
   // Whether this system allows such priorities.
   static bool allowed() {
-    const bool possible = server::jobs::use_real_time(true);
-    (void)server::jobs::use_real_time(false);
+    const bool possible = server::jobs::use_real_time(server::jobs::RealTime::kAlways);
+    (void)server::jobs::use_real_time(server::jobs::RealTime::kNever);
     return possible;
+  }
+  // Lets a deadline pass, that of a motion, while the program does not run: its clock's thread wakes up late.
+  static void delay(const Process& selvaged, Wire& line, const std::string& marker) {
+    constexpr std::chrono::milliseconds kDeadline{500};
+    line.send(call(1, "motion.compact",
+                   id_params(marker, R"(,"accuracy":"fine","commit":false,"progressToken":"p","deadlineMs":)" +
+                                         std::to_string(kDeadline.count()))) +
+              "\n");
+    EXPECT_NE(line.line().value_or("").find("$/progress"), std::string::npos);  // it has started
+    selvaged.signal(SIGSTOP);
+    std::this_thread::sleep_for(2 * kDeadline);
+    selvaged.signal(SIGCONT);
+    while (!contains(line.line().value_or(R"("id":1)"), R"("id":1)")) continue;
   }
   // Ends it, and returns all that it has written.
   static std::string log_of(Process& selvaged) {
@@ -85,15 +102,33 @@ class SelvagedInRealTime : public SelvagedTest {
   const std::vector<std::size_t> without_{0, 0, 0};
 };
 
-TEST_F(SelvagedInRealTime, ByDefaultIfTheSystemAllowsIt) {
-  for (const auto& options : {std::vector<std::string>{}, {"--real-time"}, {"--real-time", "on"}}) {
+TEST_F(SelvagedInRealTime, AlwaysIfTheSystemAllowsIt) {
+  Process selvaged{arguments({"--real-time", "on"})};
+  Wire wire{port_of(selvaged)};
+  EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
+  const auto& wanted = allowed() ? with_ : without_;
+  EXPECT_EQ(threads_by_priority(selvaged, wanted), wanted);
+  EXPECT_TRUE(contains(log_of(selvaged), allowed() ? "real-time priorities for the threads that all clients wait for\n"
+                                                   : "no real-time priorities: the system allows none"));
+}
+
+TEST_F(SelvagedInRealTime, ByDefaultWhenAThreadHasWokenUpLate) {
+  if (!allowed()) GTEST_SKIP() << "this system allows no real-time priorities";
+  for (const auto& options : {std::vector<std::string>{}, {"--real-time"}}) {
     Process selvaged{arguments(options)};
-    Wire wire{port_of(selvaged)};
-    EXPECT_EQ(result_of(post_call(wire, "engine.info"))["name"], "selvage");
-    const auto& wanted = allowed() ? with_ : without_;
-    EXPECT_EQ(threads_by_priority(selvaged, wanted), wanted);
-    EXPECT_TRUE(contains(log_of(selvaged), allowed() ? "real-time priorities for the threads that all clients wait for"
-                                                     : "no real-time priorities: the system allows none"));
+    Wire post{port_of(selvaged)};
+    Wire line{port_of(selvaged)};
+    const std::string marker = open_marker(post, garment("jeans_22g"));
+    std::vector<std::size_t> threads(3);
+    // Each gets it when it wakes up for a call, unless by then the second has passed.
+    for (int tries = 0; tries < 10 && (threads[1] < with_[1] || threads[2] < with_[2]); ++tries) {
+      delay(selvaged, line, marker);
+      (void)post_call(post, "marker.get", id_params(marker));
+      threads = threads_by_priority(selvaged);
+    }
+    EXPECT_EQ(threads[1], with_[1]);
+    EXPECT_EQ(threads[2], with_[2]);
+    EXPECT_TRUE(contains(log_of(selvaged), "wait for, while any of them waits for a processor\n"));
   }
 }
 

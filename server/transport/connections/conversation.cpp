@@ -1,10 +1,11 @@
 #include "server/transport/connections/conversation.h"
 
 #include <spdlog/spdlog.h>
-#include <boost/asio/post.hpp>
 
 #include <exception>
 #include <utility>
+
+#include "server/transport/connections/hand_over.h"
 
 namespace selvage::server::transport::connections {
 
@@ -26,7 +27,7 @@ Conversation::Conversation(std::shared_ptr<Connection> connection, const Connect
 void Conversation::enable_notifications() {
   const auto executor = connection_->socket.get_executor();
   connection_->session->notify = [executor, weak = weak_from_this()](std::string message) {
-    asio::post(executor, [weak, held = std::move(message)]() mutable {
+    hand_over(executor, [weak, held = std::move(message)]() mutable {
       const auto self = weak.lock();
       if (!self) return;
       self->attempt([&] {
@@ -59,7 +60,7 @@ asio::awaitable<void> Conversation::call(std::string message) {
   held_requests_.add(bytes);
   const auto executor = connection_->socket.get_executor();
   access::Reply reply = [executor, self = shared_from_this(), bytes](std::string answer) {
-    asio::post(executor, [self, bytes, held = std::move(answer)]() mutable {
+    hand_over(executor, [self, bytes, held = std::move(answer)]() mutable {
       --self->unanswered_;
       self->held_requests_.remove(bytes);
       self->attempt([&] { self->send(std::move(held)); });

@@ -4,7 +4,6 @@
 // before the body.
 #include "server/transport/connections/connection.h"
 
-#include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <string_view>
 
+#include "server/transport/connections/hand_over.h"
 #include "server/transport/connections/http_answers.h"
 #include "server/transport/connections/websocket_connection.h"
 
@@ -151,7 +151,7 @@ class HttpConnection {
     const auto pending = std::make_shared<Pending>(executor);
     connection_.watch_for_end();
     access::Reply reply = [executor, pending](std::string answer) {
-      asio::post(executor, [pending, held = std::move(answer)]() mutable {
+      hand_over(executor, [pending, held = std::move(answer)]() mutable {
         pending->answer = std::move(held);
         pending->done.notify();
       });

@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <fstream>
@@ -17,12 +18,14 @@
 
 #include "server/jobs/deadline_clock.h"
 #include "server/jobs/job_queue.h"
+#include "server/jobs/lateness.h"
 #include "server/jobs/real_time_share.h"
 
 namespace selvage::server::jobs {
 namespace {
 
 using std::chrono::nanoseconds;
+using std::chrono::steady_clock;
 
 nanoseconds slice_of(Promptness how) {
   nanoseconds slice{};
@@ -125,22 +128,22 @@ TEST(WithoutRealTime, NoThreadHasSuchAPriority) {
   EXPECT_EQ(priority_of(Promptness::kNext), 0U);
 }
 
-class RealTime : public testing::Test {
+class InRealTime : public testing::Test {
  protected:
   void SetUp() override {
-    if (!use_real_time(true)) GTEST_SKIP() << "this system allows no real-time priorities";
+    if (!use_real_time(RealTime::kAlways)) GTEST_SKIP() << "this system allows no real-time priorities";
   }
-  void TearDown() override { (void)use_real_time(false); }
+  void TearDown() override { (void)use_real_time(RealTime::kNever); }
 };
 
-TEST_F(RealTime, ThreadsThatAllWaitForComeFirst) {
+TEST_F(InRealTime, ThreadsThatAllWaitForComeFirst) {
   EXPECT_GT(priority_of(Promptness::kFirst), priority_of(Promptness::kSoon));
   EXPECT_GT(priority_of(Promptness::kSoon), priority_of(Promptness::kNext));
   EXPECT_GT(priority_of(Promptness::kNext), 0U);
   EXPECT_EQ(real_time_priority(), 0U);
 }
 
-TEST_F(RealTime, ThreadsThatTheyStartHaveNone) {
+TEST_F(InRealTime, ThreadsThatTheyStartHaveNone) {
   unsigned started = 1;
   std::jthread{[&] {
     run_promptly(Promptness::kFirst);
@@ -149,13 +152,11 @@ TEST_F(RealTime, ThreadsThatTheyStartHaveNone) {
   EXPECT_EQ(started, 0U);
 }
 
-TEST_F(RealTime, WorkersForLongJobsHaveNone) {
+TEST_F(InRealTime, WorkersForLongJobsHaveNone) {
   const auto [long_jobs, quick_jobs] = on_workers([] { return real_time_priority(); });
   EXPECT_EQ(long_jobs, 0U);
   EXPECT_GT(quick_jobs, 0U);
 }
-
-using std::chrono::steady_clock;
 
 // Works until the calling thread's priority is (not) one of real time.  Returns false after far too long.
 bool work_until_real_time_is(bool wanted) {
@@ -166,11 +167,11 @@ bool work_until_real_time_is(bool wanted) {
   return false;
 }
 
-TEST_F(RealTime, AThreadThatDoesNotEndItsWorkIsAnOrdinaryOneForTheRestOfEachPeriod) {
+TEST_F(InRealTime, AThreadThatDoesNotEndItsWorkIsAnOrdinaryOneForTheRestOfEachPeriod) {
   for (const Promptness how : {Promptness::kFirst, Promptness::kSoon, Promptness::kNext}) {
-    ASSERT_TRUE(use_real_time(false));
+    ASSERT_TRUE(use_real_time(RealTime::kNever));
     const nanoseconds slice = slice_of(how);
-    ASSERT_TRUE(use_real_time(true));
+    ASSERT_TRUE(use_real_time(RealTime::kAlways));
     std::jthread{[how, slice] {
       const int nice = ::getpriority(PRIO_PROCESS, 0);
       run_promptly(how);
@@ -195,7 +196,7 @@ nanoseconds worked() {
 
 // However long it works, a thread that waits for nothing has the priority for its share of the time, and the ticks by
 // which the kernel may be late.
-TEST_F(RealTime, TheShareHolds) {
+TEST_F(InRealTime, TheShareHolds) {
   std::jthread{[] {
     run_promptly(Promptness::kNext);
     ASSERT_TRUE(work_until_real_time_is(false));
@@ -215,18 +216,77 @@ TEST_F(RealTime, TheShareHolds) {
   }}.join();
 }
 
-TEST_F(RealTime, AThreadThatGivesItUpDoesNotGetItBack) {
+TEST_F(InRealTime, AThreadThatGivesItUpDoesNotGetItBack) {
   std::jthread{[] {
     run_promptly(Promptness::kNext);
     ASSERT_TRUE(work_until_real_time_is(false));
-    ASSERT_TRUE(use_real_time(false));
+    ASSERT_TRUE(use_real_time(RealTime::kNever));
     run_promptly(Promptness::kNext);
     const auto end = steady_clock::now() + 2 * RealTimeShare::kPeriod;
     while (steady_clock::now() < end) ASSERT_EQ(real_time_priority(), 0U);
   }}.join();
 }
 
-TEST_F(RealTime, AThreadThatEndsLeavesNoTimerBehind) {
+// Without working for its share of the time.
+void wake_up_in_time_until_ordinary() {
+  do {
+    std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    woke_up_after({});
+  } while (real_time_priority() > 0);
+}
+
+TEST_F(InRealTime, OnlyWhileAThreadWakesUpLateIfSoWished) {
+  ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  std::jthread{[] {
+    run_promptly(Promptness::kSoon);
+    wake_up_in_time_until_ordinary();  // some other test may have been late
+    woke_up_after(Lateness::kLate / 2);
+    EXPECT_EQ(real_time_priority(), 0U);
+    const auto late = steady_clock::now();
+    std::jthread{[] { woke_up_after(Lateness::kLate); }}.join();  // another thread, which is not a prompt one
+    EXPECT_EQ(real_time_priority(), 0U);
+    woke_up_after({});
+    EXPECT_GT(real_time_priority(), 0U);
+    wake_up_in_time_until_ordinary();
+    EXPECT_GE(steady_clock::now() - late, Lateness::kLately);
+  }}.join();
+}
+
+TEST_F(InRealTime, AlwaysIfSoWished) {
+  std::jthread{[] {
+    run_promptly(Promptness::kSoon);
+    woke_up_after({});
+    EXPECT_GT(real_time_priority(), 0U);
+  }}.join();
+}
+
+TEST_F(InRealTime, AThreadThatIsNotAPromptOneHasNoneWhenItIsLate) {
+  ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  std::jthread{[] {
+    woke_up_after(Lateness::kLate);
+    EXPECT_EQ(real_time_priority(), 0U);
+  }}.join();
+}
+
+TEST_F(InRealTime, AWorkerForQuickJobsThatTakesAJobLateIsOneThatWokeUpLate) {
+  ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  std::atomic<int> asked{};
+  std::atomic<unsigned> priority{};
+  JobQueue queue{1, 8, {1}, [&asked] { return steady_clock::time_point{Lateness::kLate * ++asked}; }};
+  const auto patience = steady_clock::now() + std::chrono::seconds{60};
+  // A job wakes that worker if it waits for one.
+  while (priority == 0 && steady_clock::now() < patience) {
+    std::latch done{1};
+    submit(queue, true, [&] {
+      priority = real_time_priority();
+      done.count_down();
+    });
+    done.wait();
+  }
+  EXPECT_GT(priority, 0U);
+}
+
+TEST_F(InRealTime, AThreadThatEndsLeavesNoTimerBehind) {
   const auto timers = [] {
     std::ifstream file{"/proc/self/timers"};
     int found = 0;

@@ -80,8 +80,7 @@ void be_greedy(const std::vector<GreedyClient>& clients, const LiveDaemon& daemo
   }
 }
 
-// On a daemon of their own, with real-time priorities if the system allows them; at least `rounds` times, and until the
-// other client has made enough calls.
+// On a daemon of their own; at least `rounds` times, and until the other client has made enough calls.
 void run_case(std::string_view name, const std::vector<GreedyClient>& clients, std::size_t rounds, Faults& faults) {
   LiveDaemon daemon{{"--workers", "2", "--memory", std::to_string(kBudgetMb)}};
   daemon.limit_address_space(kAddressSpaceMb << 20);
@@ -116,7 +115,7 @@ void run_case(std::string_view name, const std::vector<GreedyClient>& clients, s
 }  // namespace
 
 void memory(std::size_t rounds, Faults& faults) {
-  const bool real_time = server::jobs::use_real_time(true);  // the daemons and the other client
+  const bool real_time = server::jobs::use_real_time(server::jobs::RealTime::kAlways);  // the other client
   std::printf("--memory %zu under an address space of %zu MiB%s\n", kBudgetMb, kAddressSpaceMb,
               real_time ? "" : "; but the system allows no real-time priorities");
   for (const GreedyClient& client : greedy_clients()) run_case(client.name, {client}, rounds, faults);

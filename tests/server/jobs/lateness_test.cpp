@@ -1,0 +1,49 @@
+// The clock is staged.
+#include "server/jobs/lateness.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace selvage::server::jobs {
+namespace {
+
+using namespace std::chrono_literals;
+using Time = Lateness::Clock::time_point;
+
+constexpr Time kStart{1h};
+
+TEST(Lateness, NobodyHasBeenLateAtFirst) {
+  const Lateness lateness;
+  EXPECT_FALSE(lateness.lately(kStart));
+  EXPECT_FALSE(lateness.lately(Time{}));
+}
+
+TEST(Lateness, LastsForASecond) {
+  Lateness lateness;
+  lateness.record(500us, kStart);
+  EXPECT_TRUE(lateness.lately(kStart));
+  EXPECT_TRUE(lateness.lately(kStart + 999ms));
+  EXPECT_FALSE(lateness.lately(kStart + 1s));
+}
+
+TEST(Lateness, ThreadsThatWakeUpSoonerNeitherBeginNorEndIt) {
+  Lateness lateness;
+  lateness.record(499us, kStart);
+  EXPECT_FALSE(lateness.lately(kStart));
+  lateness.record(4ms, kStart);
+  lateness.record(10us, kStart + 500ms);
+  EXPECT_TRUE(lateness.lately(kStart + 999ms));
+  EXPECT_FALSE(lateness.lately(kStart + 1s));
+}
+
+TEST(Lateness, TheLastTimeCounts) {
+  Lateness lateness;
+  lateness.record(1ms, kStart);
+  lateness.record(1ms, kStart + 900ms);
+  EXPECT_TRUE(lateness.lately(kStart + 1899ms));
+  EXPECT_FALSE(lateness.lately(kStart + 1900ms));
+}
+
+}  // namespace
+}  // namespace selvage::server::jobs
