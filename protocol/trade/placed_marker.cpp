@@ -112,7 +112,7 @@ class FileMaker {
     return id;
   }
 
-  std::string shape_for(const PlacedPattern& piece, std::vector<Spot> outline, Json attributes) {
+  std::string shape_for(const PlacedPattern& piece, const std::vector<Spot>& outline, Json attributes) {
     const std::string text = json::to_text(attributes);
     std::vector<std::pair<double, double>> key;
     for (const Spot& point : outline) key.emplace_back(point.x, point.y);

@@ -67,7 +67,7 @@ void append_utf8(std::string& out, unsigned code) {
 }
 
 std::string converted(std::string_view bytes, const char* encoding) {
-  const iconv_t converter = iconv_open("UTF-8", encoding);
+  iconv_t converter = iconv_open("UTF-8", encoding);
   // NOLINTNEXTLINE(*-reinterpret-cast,*-int-to-ptr): how iconv says that it does not know the encoding
   if (converter == reinterpret_cast<iconv_t>(-1)) return printable(bytes);
   std::string input{bytes}, out;

@@ -93,7 +93,7 @@ calls::Outcome DragSessions::begin(const protocol::methods::dragging::BeginParam
   return protocol::schema::encode(result);
 }
 
-void DragSessions::abandon(std::string id) {
+void DragSessions::abandon(const std::string& id) {
   std::shared_ptr<Drag> drag;
   {
     const std::lock_guard lock{mutex_};

@@ -61,7 +61,7 @@ class DragSessions {
   void schedule(const std::shared_ptr<Drag>& drag);
   void execute_waiting_move(Drag& drag, const std::stop_token& stop);
   // Ends a drag whose connection has ended.
-  void abandon(std::string id);
+  void abandon(const std::string& id);
   // The functions below REQUIRE that the caller holds the mutex: so that notifications are sent in the order of the
   // events that they report.
   void notify_watchers(const Drag& drag) const;

@@ -91,7 +91,7 @@ std::size_t bytes_of(const MarkerFile& file) {
 }
 
 std::size_t bytes_of(const protocol::edits::Moves& moves) {
-  std::size_t bytes = sizeof moves + bytes_in(moves);
+  std::size_t bytes = sizeof(protocol::edits::Moves) + bytes_in(moves);
   for (const protocol::edits::Move& move : moves) bytes += bytes_in(move.piece);
   return bytes;
 }

@@ -8,7 +8,9 @@
 namespace selvage::server::methods {
 namespace {
 
-using namespace protocol::methods::daemon;
+using protocol::methods::daemon::BackupParams;
+using protocol::methods::daemon::BackupResult;
+using protocol::methods::daemon::is_backup_name;
 
 calls::Outcome backup(const BackupParams& params, const ServerContext& server, const calls::OpenCall& call) {
   if (!is_backup_name(params.name)) {

@@ -8,7 +8,13 @@
 namespace selvage::server::methods {
 namespace {
 
-using namespace protocol::edits;
+using protocol::edits::apply_edits;
+using protocol::edits::apply_result;
+using protocol::edits::ApplyParams;
+using protocol::edits::ApplyResult;
+using protocol::edits::change_between;
+using protocol::edits::ChangeParams;
+using protocol::edits::CommittedChange;
 using protocol::schema::encode;
 using store::UndoDirection;
 

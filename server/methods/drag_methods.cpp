@@ -6,18 +6,20 @@
 namespace selvage::server::methods {
 namespace {
 
-using namespace protocol::methods::dragging;
+using protocol::methods::dragging::BeginParams;
+using protocol::methods::dragging::EndParams;
+using protocol::methods::dragging::MoveParams;
 
 calls::Outcome begin(const BeginParams& params, const ServerContext& server, const calls::OpenCall& call) {
   return server.drags.begin(params, call.session());
 }
 
-void move(protocol::calls::ParsedCall parsed, const ServerContext& server,
+void move(const protocol::calls::ParsedCall& parsed, const ServerContext& server,
           const std::shared_ptr<calls::OpenCall>& call) {
   server.drags.move(parsed.params_as<MoveParams>(), call);
 }
 
-void end(protocol::calls::ParsedCall parsed, const ServerContext& server,
+void end(const protocol::calls::ParsedCall& parsed, const ServerContext& server,
          const std::shared_ptr<calls::OpenCall>& call) {
   server.drags.end(parsed.params_as<EndParams>(), call);
 }

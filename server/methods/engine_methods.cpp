@@ -8,7 +8,9 @@
 namespace selvage::server::methods {
 namespace {
 
-using namespace protocol::methods::daemon;
+using protocol::methods::daemon::engine_info;
+using protocol::methods::daemon::EngineInfo;
+using protocol::methods::daemon::NoParams;
 
 calls::Outcome info(const NoParams&, const ServerContext& server, const calls::OpenCall&) {
   EngineInfo info = engine_info(server.limits.transport.body_bytes);

@@ -10,7 +10,16 @@
 namespace selvage::server::methods {
 namespace {
 
-using namespace protocol::methods::library;
+using protocol::methods::library::LibraryAddParams;
+using protocol::methods::library::LibraryAddResult;
+using protocol::methods::library::LibraryEntry;
+using protocol::methods::library::LibraryGetResult;
+using protocol::methods::library::LibraryIdParams;
+using protocol::methods::library::LibraryListParams;
+using protocol::methods::library::LibraryListResult;
+using protocol::methods::library::LibraryRemoveResult;
+using protocol::methods::library::LibrarySearchParams;
+using protocol::methods::library::LibrarySearchResult;
 using protocol::rpc::RpcCode;
 using protocol::rpc::RpcError;
 

@@ -6,7 +6,9 @@
 namespace selvage::server::methods {
 namespace {
 
-using namespace protocol::methods::daemon;
+using protocol::methods::daemon::MarkerIdParams;
+using protocol::methods::daemon::UnwatchResult;
+using protocol::methods::daemon::WatchResult;
 
 calls::Outcome watch(const MarkerIdParams& params, const ServerContext& server, const calls::OpenCall& call) {
   const std::string& id = params.marker_id;

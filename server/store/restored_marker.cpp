@@ -59,12 +59,13 @@ Result<std::vector<History::Step>> history_of(const disk::StoredMarker& stored, 
                                               UndoDirection direction, const Account& account) {
   std::vector<History::Step> steps;
   MarkerFile at = now;
-  for (auto step = stored.history.rbegin(); step != stored.history.rend(); ++step) {
-    if (step->way != way_of(direction)) continue;
-    auto back = read_back(*step, at.marker, account);
+  for (std::size_t k = stored.history.size(); k-- > 0;) {
+    const disk::StoredStep& step = stored.history[k];
+    if (step.way != way_of(direction)) continue;
+    auto back = read_back(step, at.marker, account);
     if (!back) return back.error();
     at = after_step(*back, std::move(at));
-    steps.push_back({step->serial, *std::move(back)});
+    steps.push_back({step.serial, *std::move(back)});
   }
   std::reverse(steps.begin(), steps.end());
   return steps;
@@ -73,23 +74,24 @@ Result<std::vector<History::Step>> history_of(const disk::StoredMarker& stored, 
 }  // namespace
 
 Result<RestoredMarker> restore_marker(const disk::StoredMarker& stored, const Account& account) {
-  auto file = read_document(stored.format, stored.document);
-  if (!file) return file.error();
+  auto snapshot = read_document(stored.format, stored.document);
+  if (!snapshot) return snapshot.error();
+  MarkerFile file = *std::move(snapshot);
   for (const std::string& step : stored.steps) {
-    const auto moves = read_moves_text(step, file->marker);
+    const auto moves = read_moves_text(step, file.marker);
     if (!moves) return moves.error();
-    *file = moved(*std::move(file), *moves);
+    file = moved(std::move(file), *moves);
   }
-  auto undo = history_of(stored, *file, UndoDirection::kUndo, account);
+  auto undo = history_of(stored, file, UndoDirection::kUndo, account);
   if (!undo) return undo.error();
-  auto redo = history_of(stored, *file, UndoDirection::kRedo, account);
+  auto redo = history_of(stored, file, UndoDirection::kRedo, account);
   if (!redo) return redo.error();
-  return RestoredMarker{*std::move(file), {*std::move(undo), *std::move(redo)}};
+  return RestoredMarker{std::move(file), {*std::move(undo), *std::move(redo)}};
 }
 
 std::size_t bytes_of(const disk::StoredMarker& stored) {
   std::size_t bytes = sizeof stored + stored.summary.size() + stored.document.size();
-  for (const std::string& step : stored.steps) bytes += sizeof step + step.size();
+  for (const std::string& step : stored.steps) bytes += sizeof(std::string) + step.size();
   for (const disk::StoredStep& step : stored.history) bytes += sizeof step + step.format.size() + step.step.size();
   return bytes;
 }

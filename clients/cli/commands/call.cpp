@@ -48,8 +48,8 @@ Result<Json> read_params(const std::string& given) {
 }
 
 // A call that concerns a marker that is open on a daemon, or the program itself.
-ExitCode run_without_marker(const std::string& method, Json params, const run::ServerChoice& server) {
-  auto answer = server ? run::call_remotely(server, method, std::move(params)) : run::call_locally(method, params);
+ExitCode run_without_marker(const std::string& method, const Json& params, const run::ServerChoice& server) {
+  auto answer = server ? run::call_remotely(server, method, params) : run::call_locally(method, params);
   if (const auto* failure = std::get_if<terminal::Failure>(&answer)) return report(*failure);
   std::cout << protocol::json::to_text(std::get<Json>(answer)) << std::endl;
   return ExitCode::kOk;
@@ -71,7 +71,7 @@ ExitCode run_call(const command_line::Values& values) {
   if (const auto failure = check_outputs(files)) return report(*failure);
   auto params = read_params(given);
   if (!params) return terminal::report(params.error());
-  if (files.in.empty()) return run_without_marker(method, *std::move(params), files.server);
+  if (files.in.empty()) return run_without_marker(method, *params, files.server);
   return run_on_marker(method, *std::move(params), files, Report::kResult);
 }
 

@@ -113,7 +113,10 @@ std::string PdfDocument::text(std::string_view title) const {
     const std::string unit = page.user_unit_ > 1 ? " /UserUnit " + std::to_string(page.user_unit_) : "";
     object("<< /Type /Page /Parent 2 0 R /MediaBox " + box + unit +
            " /Resources << /Font << /F1 3 0 R >> >> /Contents " + std::to_string(offsets.size() + 2) + " 0 R >>");
-    object("<< /Length " + std::to_string(page.content_.size()) + " >>\nstream\n" + page.content_ + "endstream");
+    std::string stream = "<< /Length " + std::to_string(page.content_.size()) + " >>\nstream\n";
+    stream += page.content_;
+    stream += "endstream";
+    object(stream);
   }
   const std::size_t table = out.size();
   out += "xref\n0 " + std::to_string(offsets.size() + 1) + "\n0000000000 65535 f \n";

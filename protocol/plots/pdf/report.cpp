@@ -145,7 +145,7 @@ void draw_picture(PdfPage& page, const Sheet& sheet, const Chain& chain, Spot co
 // Draws lines of text downwards from `top`, in columns between two x coordinates; lines that do not fit are counted.
 void write_list(PdfPage& page, const std::vector<std::string>& lines, double top, double from, double to, int columns) {
   const int rows = std::max(1, static_cast<int>((top - kPageMargin) / kLine) + 1);
-  const auto room = static_cast<std::size_t>(rows * columns);
+  const std::size_t room = static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < lines.size() && k < room; ++k) {
     const auto row = static_cast<int>(k) % rows, column = static_cast<int>(k) / rows;
     const bool last = k + 1 == room && lines.size() > room;

@@ -189,12 +189,12 @@ class StyleReader {
           style_.sizes.push_back(size);
       }
     }
-    if (const auto error = check_sizes()) return error;
+    if (auto error = check_sizes()) return error;
     for (std::size_t k = 0; k < blocks_.size(); ++k) {
       if (table) {
-        if (const auto error = grade_block(k, *table, table_unit(*table, unit))) return error;
+        if (auto error = grade_block(k, *table, table_unit(*table, unit))) return error;
       } else if (wanted(sizes_[k])) {
-        if (const auto error = finish(blocks_[k], k, sizes_[k], nullptr)) return error;
+        if (auto error = finish(blocks_[k], k, sizes_[k], nullptr)) return error;
       }
     }
     return std::nullopt;
@@ -227,7 +227,7 @@ class StyleReader {
     for (std::size_t size = 0; size < table.sizes.size(); ++size) {
       if (!wanted(table.sizes[size])) continue;
       const Grading grading{table, size, unit, table.sizes[size] == sample, first};
-      if (const auto error = finish(blocks_[k], k, table.sizes[size], &grading)) return error;
+      if (auto error = finish(blocks_[k], k, table.sizes[size], &grading)) return error;
       first = false;
     }
     return std::nullopt;

@@ -55,7 +55,7 @@ class TableReader {
     const std::string key = in_capitals(trimmed(text.substr(0, colon)));
     const std::string_view value = trimmed(text.substr(colon + 1));
     if (key == "RULE") {
-      if (const auto error = finish_rule()) return error;
+      if (auto error = finish_rule()) return error;
       return begin_rule(value);
     }
     if (key == "UNITS") table_.units = in_capitals(value);

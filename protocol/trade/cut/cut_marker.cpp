@@ -81,7 +81,7 @@ std::vector<Loop> loops_of(CutPiece& piece, std::vector<Run>& open, std::vector<
   return std::move(loops.closed);
 }
 
-PlacedPattern pattern_of(const CutPiece& piece, Loop outline, const std::vector<Loop>& inner,
+PlacedPattern pattern_of(const CutPiece& piece, const Loop& outline, const std::vector<Loop>& inner,
                          const std::vector<Run>& open) {
   PlacedPattern placed;
   describe(placed, piece.label);
@@ -114,7 +114,7 @@ Result<MarkerFile> read_cut_marker(std::string_view text, const ReadingOptions& 
     }
     // Without N, every outermost loop is a piece.
     while (!loops.empty()) {
-      Loop outline = std::move(loops.front());
+      const Loop outline = std::move(loops.front());
       loops.erase(loops.begin());
       const auto inside = [&](const Loop& loop) {
         return commands.numbered || contains(outline.points, loop.points.front());
@@ -122,7 +122,7 @@ Result<MarkerFile> read_cut_marker(std::string_view text, const ReadingOptions& 
       const auto others = std::stable_partition(loops.begin(), loops.end(), inside);
       const std::vector<Loop> inner{loops.begin(), others};
       loops.erase(loops.begin(), others);
-      marker.pieces.push_back(pattern_of(piece, std::move(outline), inner, open));
+      marker.pieces.push_back(pattern_of(piece, outline, inner, open));
       marker.pieces.back().field = field;
       if (commands.numbered) break;
     }

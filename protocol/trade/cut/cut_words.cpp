@@ -179,11 +179,12 @@ class Interpreter {
 bool looks_like_cut(std::string_view text) {
   constexpr std::size_t kEnough = 4;  // blocks of words
   constexpr std::size_t kLookedAt = 2000;
+  constexpr std::size_t kLongest = 80;  // of a block
   text = trimmed(text.substr(0, kLookedAt));
   std::size_t blocks = 0, read = 0;
   while (blocks < kEnough) {
     const std::size_t end = text.find('*');
-    if (end == std::string_view::npos || end > 80) break;
+    if (end > kLongest) break;  // or there is none: npos
     ++blocks;
     if (words_of(text.substr(0, end)) && end > 0) ++read;
     text.remove_prefix(end + 1);

@@ -85,7 +85,10 @@ class OrderReader {
         return;
       }
       for (const auto& [size, garments] : sizes.items()) {
-        order_.quantities.push_back({colour, size, whole(garments, kMostGarments, at + "/" + size)});
+        std::string field = at;
+        field += '/';
+        field += size;
+        order_.quantities.push_back({colour, size, whole(garments, kMostGarments, field)});
         add_to(sums, size, order_.quantities.back().garments);
       }
     }
