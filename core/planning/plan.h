@@ -3,8 +3,8 @@
 //
 // Method.  Each round searches for the cheapest cutting at the lengths known so far, then makes the markers that it
 // uses and some that it nearly used; the estimate of the others is fitted to all made ones.  When a round's cutting
-// uses made markers only, the gap to the bound is closed as far as it can be; the plan ends when that finds none that
-// needs other markers.  How a marker is made is the caller's: nested, or remade from a stored one.
+// uses only made markers, the gap to the bound is closed as far as possible; the search ends when no better cutting
+// needs other markers.  The caller decides how a marker is made: nested, or remade from a stored one.
 //
 // Laws.  (1) The plan delivers no fewer and no more garments of any colour and size than the limits allow, checked in
 // integers.  (2) With `complete`, every marker of it was made and fits the table.  (3) bound <= cost; the bound holds
@@ -33,18 +33,19 @@ using MakeMarker = std::function<std::optional<double>(const orders::Ratio&)>;
 
 struct PlanSettings {
   cheapest::SearchSettings search{};
-  int rounds{8};                             // most rounds
-  std::size_t most_made{24};                 // most markers that are made, unless the plan needs more
-  std::size_t near_made{2};                  // of each round, besides those that its cutting uses
-  std::vector<orders::MadeLength> stored{};  // of similar markers, from which the first estimate is learnt
+  int rounds{8};                             // maximum number
+  std::size_t most_made{24};                 // maximum number of markers made, unless the plan needs more
+  std::size_t near_made{2};                  // markers made in each round in addition to those of its cutting
+  std::vector<orders::MadeLength> stored{};  // similar markers, from which lengths are first estimated
 };
 
 struct PlanRound {
-  int number{};                // 1, 2, ...
-  double estimated{};          // cost of the round's cutting at the lengths that chose it
-  std::optional<double> real;  // and at real lengths; none: a marker of it does not fit the table, or was not made
-  double best{};               // of all rounds so far, at real lengths; the estimated one when there is none
-  double best_cloth{};         // millimetres of cloth that it takes
+  int number{};        // 1, 2, ...
+  double estimated{};  // cost of the round's cutting at the lengths by which it was chosen
+  std::optional<double>
+      real;             // the same at real lengths; none: one of its markers does not fit the table, or was not made
+  double best{};        // of all rounds so far, at real lengths; the estimated one when there is none
+  double best_cloth{};  // millimetres of cloth in its plies
 };
 
 struct PlanRun {
@@ -56,7 +57,7 @@ struct PlanRun {
 enum class PlanEnd { kConverged, kWorkLimit, kCancelled };
 
 struct Plan {
-  program::Cutting cutting;  // the markers, their lengths and units of plies; and what it costs
+  program::Cutting cutting;  // the markers, their lengths, their units of plies, and the cost
   std::vector<Lay> lays;
   std::vector<Rolls> rolls;  // by colour
   bool complete{};           // all markers were made; else some of the lengths are estimates

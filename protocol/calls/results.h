@@ -26,7 +26,9 @@ inline constexpr std::string_view kUnplacedMeaning =
 inline constexpr std::string_view kLengthMeaning = "The x coordinate where the rightmost piece ends; exact.";
 inline constexpr std::string_view kUtilisationMeaning = "The pieces' area divided by width times length, 0 to 1.";
 inline constexpr std::string_view kValidMeaning =
-    "Proved in integers: no overlap, no distance below the spacing, nothing outside the strip.";
+    "Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, "
+    "and "
+    "no rule broken.";
 inline constexpr std::string_view kStopMeaning = "Why the motion ended.";
 inline constexpr std::string_view kPieceMeaning = "The piece's id.";
 

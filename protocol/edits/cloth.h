@@ -104,9 +104,10 @@ struct Cloth {
     v.optional("napDirection", self.nap_direction,
                "How all pieces lie on cloth with a nap; with up_and_down, every second bundle lies down.");
     v.optional("tube", self.tube, "True: the cloth is a tube, whose upper edge is a fold like the lower one.");
-    v.optional("zones", self.zones,
-               R"(Parts of the cloth that no piece may cover: [{"from": [X, Y], "to": [X, Y]}], or only some.)",
-               {.entries = {{0, marker::kMaxPieces}}, .entries_are = "zones"});
+    v.optional(
+        "zones", self.zones,
+        R"(Rectangles of the cloth that no piece, or only some pieces, may cover: [{"from": [X, Y], "to": [X, Y]}].)",
+        {.entries = {{0, marker::kMaxPieces}}, .entries_are = "zones"});
     v.optional("pieceRules", self.piece_rules,
                R"(Rules of single pieces or shapes: [{"shape": "collar", "rules": {"match": [0, 0]}}].)",
                {.entries = {{0, kMaxEdits}}, .entries_are = "pieces or shapes"});

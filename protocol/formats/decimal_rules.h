@@ -1,5 +1,5 @@
-// Cloth's rules (core/marker/rules.h) in decimals, as files and messages hold them: those of a piece, and the pattern
-// of the cloth.
+// Cloth's rules (core/marker/rules.h) in decimals, as files and messages contain them: the rules of a piece, and the
+// pattern of the cloth.
 #pragma once
 
 #include <optional>
@@ -39,9 +39,7 @@ template <>
 struct Choices<marker::Nap> {
   static constexpr std::string_view kName = "NapDirection";
   static constexpr std::string_view kMeaning =
-      "The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to "
-      "smaller "
-      "x (down).";
+      "How a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down).";
   static constexpr std::string_view kWords[] = {"up", "down"};
 };
 
@@ -51,15 +49,16 @@ namespace selvage::protocol::formats {
 
 struct DecimalPart {
   static constexpr std::string_view kName = "PiecePart",
-                                    kMeaning =
-                                        "A part of a piece that accepts less of the cloth's quality than the rest.";
+                                    kMeaning = "A part of a piece that needs cloth of better quality than the rest.";
   std::vector<Decimal> outline;
   marker::Quality quality{};
 
   static void describe(auto& v, auto& self) {
-    v.required("outline", self.outline, "Its corners, in the coordinates of the shape and within its outline.",
+    v.required("outline", self.outline,
+               "The corners of the part, in the coordinates of the shape and inside its outline.",
                {.entries = {{3, geometry::kMaxVertices}}, .entries_are = "corners"});
-    v.optional("quality", self.quality, "The worst quality class that it accepts, less than that of the piece.",
+    v.optional("quality", self.quality,
+               "The worst quality class that the part accepts, less than that of the piece; 0 when absent.",
                {.range = {{0, marker::kWorstQuality - 1}}});
   }
   friend bool operator==(const DecimalPart&, const DecimalPart&) = default;
@@ -87,27 +86,28 @@ struct DecimalRules {
                "Whether its lowest side lies on the strip's lower edge, where the cloth is folded, or its highest side "
                "on the upper edge of a tube.");
     v.optional("match", self.match, "A point of its shape, which is matched to the cloth's pattern.");
-    v.optional("matchSet", self.match_set,
-               "The name of its match set: the ways between the match points of its pieces are whole repeats of the "
-               "pattern, wherever on the cloth they lie; absent: the match point lies where a repeat begins.");
+    v.optional(
+        "matchSet", self.match_set,
+        "The name of its match set: the match points of its pieces lie whole repeats of the pattern apart, wherever "
+        "on the cloth; absent: the match point lies where a repeat begins.");
     v.optional("shade", self.shade,
                "The name of its shade: the pieces of a shade lie near each other along the strip.");
-    v.optional("nap", self.nap, "The way in which it lies on cloth with a nap; absent: any that its shape allows.");
+    v.optional("nap", self.nap, "How it lies on cloth with a nap; absent: in any orientation that its shape allows.");
     v.optional("zone", self.zone,
-               "Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw.");
+               "Whether it is not a piece but a part of the cloth that no piece may cover, such as a flaw.");
     v.optional(
         "quality", self.quality,
         "The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a "
-        "zone: the class of its cloth, from 1; absent: one that no piece accepts.",
+        "zone: the class of its cloth, 1 or more; absent: no piece may cover the zone.",
         {.range = {{0, marker::kWorstQuality}}});
-    v.optional("part", self.part, "The part of it that accepts less than the rest, such as the one that is seen.");
+    v.optional("part", self.part, "A part of it that needs better cloth than the rest, such as the visible one.");
   }
   friend bool operator==(const DecimalRules&, const DecimalRules&) = default;
 };
 // The rules on the lattice: distances are rounded so that the rule as written is kept.
 [[nodiscard]] marker::Rules rules_on_lattice(const DecimalRules& written, Resolution resolution);
 [[nodiscard]] DecimalRules decimal_rules(const marker::Rules& rules, Resolution resolution);
-// The first of the fields whose length the lattice does not hold, as "/to"; none when it holds all.
+// The first field whose length is too large for the lattice, such as "/to", if there is one.
 [[nodiscard]] std::optional<std::string_view> beyond_lattice(const DecimalRules& written, Resolution resolution);
 
 struct DecimalRepeat {
@@ -124,8 +124,8 @@ struct DecimalRepeat {
     v.optional("phase", self.phase, "A point at which a repeat begins; [0, 0] when absent.");
   }
 };
-// The repeat on the lattice.  Repeats and their phase have to be whole numbers of lattice units: rounded ones would
-// lose the pattern along the cloth; a resolution that is chosen for the marker suits them.
+// The repeat on the lattice.  Repeats and their phase have to be whole numbers of lattice units, because rounding
+// errors would add up along the cloth.  A resolution that is chosen for the marker satisfies this.
 [[nodiscard]] marker::Repeat repeat_on_lattice(const DecimalRepeat& written, Resolution resolution);
 [[nodiscard]] DecimalRepeat decimal_repeat(const marker::Repeat& repeat, Resolution resolution);
 [[nodiscard]] std::optional<std::string_view> beyond_lattice(const DecimalRepeat& written, Resolution resolution);

@@ -68,7 +68,7 @@ std::string lays(const Json& plan) {
   return table({"lay", "marker", "plies"}, rows);
 }
 
-// Which cloth the plies take: remnants, and rolls.
+// The cloth that the plies are cut from: remnants and rolls.
 std::string cloth(const Json& plan) {
   std::vector<Cells> remnants, rolls;
   for (const Json& one : plan["remnants"]) {

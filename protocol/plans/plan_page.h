@@ -1,5 +1,5 @@
-// A plan as a page of HTML that needs no other file: what it costs, which garments it cuts, its lays, and a picture of
-// each marker.
+// A plan as one self-contained HTML page: its cost, the garments it cuts, its lays and the cloth they take, and a
+// picture of each marker.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace selvage::protocol::plans {
 
-// REQUIRES: `plan` is a result of plan.cut.  Errors: those of formats::read_document, for a marker's document.
+// REQUIRES: `plan` is a result of plan.cut.  Errors: those of formats::read_document, when it cannot read a marker's
+// document.
 [[nodiscard]] Result<std::string> plan_page(const Json& plan, std::string_view title);
 
 }  // namespace selvage::protocol::plans

@@ -249,8 +249,10 @@ std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv
   raw.call_seconds = std::chrono::duration_cast<std::chrono::seconds>(options.limits.call).count();
   raw.drain_seconds = options.drain.count();
 
-  CLI::App app{"selvaged: compacts garment markers; serves JSON-RPC 2.0 over HTTP, WebSocket or lines of JSON.",
-               "selvaged"};
+  CLI::App app{
+      "selvaged: nests and compacts garment markers for clients that speak JSON-RPC 2.0 over HTTP, WebSocket or lines "
+      "of JSON.",
+      "selvaged"};
   app.set_version_flag("--version", "selvaged " + std::string{ops::kVersion});
   app.allow_config_extras(CLI::config_extras_mode::error);
   declare_listeners(app, options, raw);

@@ -106,7 +106,7 @@ class Plan(CliTest):
                 ('{"quantities": {"red": {"S": 1}}, "mode": "upDown"}', RECTANGLES, (), "a plan takes one or either"),
                 (ORDER, dict(RECTANGLES, unit="in"), (), "plans are made of styles in mm"),
                 (ORDER, RECTANGLES, ("--table", 300), "the table has room for 260 mm"),
-                (ORDER, RECTANGLES, ("--remnants", "red"), '"red" is no remnant; COLOUR=LENGTH is allowed'),
+                (ORDER, RECTANGLES, ("--remnants", "red"), '"red" is not a remnant; COLOUR=LENGTH is allowed'),
                 (ORDER, RECTANGLES, ("--remnants", "green=500"), 'nothing is ordered in "green"'),
                 (ORDER, RECTANGLES, ("--roll-length", 5000), "no roll is shorter than the table"),
                 (ORDER, RECTANGLES, ("--spread", "face_to_face", "--plies", 1), "a lay has at least 2 plies")):

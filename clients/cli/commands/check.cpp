@@ -47,11 +47,12 @@ command_line::Command check_command() {
       input_option(),
       {.name = "--json", .kind = command_line::Kind::kFlag, .meaning = "Print the result as one line of JSON"}};
   for (command_line::Option& option : override_options()) options.push_back(std::move(option));
-  return {"check",
-          "Decides in exact arithmetic whether pieces overlap or protrude from the strip",
-          std::move(options),
-          &run_check,
-          {"selvage check marker.json", "selvage check marker.json --spacing 2"}};
+  return {
+      "check",
+      "Decides in exact arithmetic whether a marker is valid: no overlaps, nothing outside the strip, no rule broken",
+      std::move(options),
+      &run_check,
+      {"selvage check marker.json", "selvage check marker.json --spacing 2"}};
 }
 
 }  // namespace selvage::cli::commands

@@ -30,9 +30,10 @@ constexpr Exception kExceptions[] = {
     {"marker.nest", "seconds", "--time"},
     {"marker.nest", "accuracy", "--accuracy", 1,
      "A budget in seconds by name: draft is 2 seconds, standard 20, fine 120; not together with --time"},
-    {"plan.cut", "overCut", "--over-cut", 100, "How many more garments of a colour and size may be cut, in per cent"},
-    {"plan.cut", "underCut", "--under-cut", 100, "How many fewer may be cut, in per cent"},
-    {"plan.cut", "gap", "--gap", 100, "The search ends when cost and bound differ by at most this many per cent"},
+    {"plan.cut", "overCut", "--over-cut", 100,
+     "How many garments of a colour and size may be cut beyond those ordered, in per cent of these"},
+    {"plan.cut", "underCut", "--under-cut", 100, "How many garments fewer than ordered may be cut, in per cent"},
+    {"plan.cut", "gap", "--gap", 100, "The search ends when the cost exceeds the bound by at most this many per cent"},
 };
 
 const Exception* exception_of(std::string_view method, std::string_view parameter) {

@@ -79,7 +79,7 @@ Result<Json> remnants_in(const std::string& text) {
     if (sign == 0 || read.ec != std::errc{} || read.ptr != number.data() + number.size()) {
       return Error{ErrorCode::kOutOfRange,
                    "--remnants: " + protocol::json::shortened(Json(entry)) +
-                       " is no remnant; COLOUR=LENGTH is allowed, several of them separated by commas",
+                       " is not a remnant; COLOUR=LENGTH is allowed, separated by commas",
                    ""};
     }
     Json one = Json::object();
@@ -90,7 +90,7 @@ Result<Json> remnants_in(const std::string& text) {
   return remnants;
 }
 
-// The markers of the library that are nearest to the style.
+// The markers of the library that are most similar to the style.
 Result<Json> stored_near(const std::string& folder, const Marker& style) {
   const auto stored = library::list_folder(folder);
   if (!stored) return stored.error();
@@ -214,11 +214,11 @@ command_line::Command plan_command() {
         .range = command_line::Range{1, 1e6}},
        {.name = "--remnants",
         .kind = Kind::kText,
-        .meaning = "Lengths of cloth that are there already, in mm: COLOUR=LENGTH, several of them separated by commas",
+        .meaning = "Lengths of cloth left over from earlier orders, in mm: COLOUR=LENGTH, separated by commas",
         .placeholder = "LIST"},
        {.name = "--library",
         .kind = Kind::kText,
-        .meaning = "Folder of stored markers that teach how long markers become",
+        .meaning = "Folder of stored markers, from which the lengths of similar markers are first estimated",
         .placeholder = "FOLDER"}},
       &run_plan_command};
   for (ParameterOption& option : plan_options()) command.options.push_back(std::move(option.option));

@@ -26,7 +26,7 @@ class Loads {
     lp::LpSolution solution = solve_model(run);
     while (solution.status == lp::LpStatus::kOptimal && lift_unbacked(solution)) solution = solve_model(run);
     if (run.stopped()) {
-      return Error{ErrorCode::kStoppedEarly, "stopped before it was known what holds the length", ""};
+      return Error{ErrorCode::kStoppedEarly, "stopped before the critical path was known", ""};
     }
     CriticalPath path;
     if (solution.status != lp::LpStatus::kOptimal) return path;  // empty: there is no solution to read
@@ -350,7 +350,8 @@ class Loads {
 Result<CriticalPath> critical_path(const Marker& marker, const scene::Run& run, const CriticalPathTuning& tuning) {
   run.observer.on_stage(scene::Stage::kVerify);
   if (!is_valid(marker)) {
-    return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact or part it first", "/pieces"};
+    return Error{ErrorCode::kMarkerOverlaps, "the marker is not valid: compact it or separate its pieces first",
+                 "/pieces"};
   }
   return Loads{marker, tuning, run}.run(run);
 }

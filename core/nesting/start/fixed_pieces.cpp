@@ -28,7 +28,7 @@ std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet
     if (marker::protrusion_of(pieces, i, start.strip) > 0) {
       return Error{ErrorCode::kOutsideStrip,
                    "piece \"" + start.pieces[i].id +
-                       "\" must stay where it is, but leaves the strip or the room that its rules leave it",
+                       "\" must stay where it is, but lies outside the strip or the room that its rules leave",
                    "/pieces/" + std::to_string(i)};
     }
   }

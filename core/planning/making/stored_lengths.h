@@ -1,5 +1,5 @@
-// What stored markers of similar garments say about lengths: the marker of a style is about as well filled as others of
-// its kind on the same cloth.
+// Lengths estimated from stored markers of similar garments: a marker of the style has about the same utilisation as
+// similar markers on the same cloth.
 #pragma once
 
 #include <span>
@@ -14,9 +14,9 @@ namespace selvage::planning::making {
 // One bundle of every size: what stored markers are compared with.
 [[nodiscard]] Marker one_of_each_size(const Garments& garments);
 
-// The areas and lengths of the stored markers whose pieces are much like the style's, on cloth of about its width and
-// with its spacing; areas are those that they would have on the style's width.  Passes over all others, and those that
-// are not whole or not valid.
+// The areas and lengths of the stored markers whose pieces are similar to the style's, on cloth of about its width and
+// with its spacing; areas are converted to the style's width.  Ignores all others, and markers that are incomplete or
+// not valid.
 // Units: millimetres.
 [[nodiscard]] std::vector<orders::MadeLength> lengths_like(const Garments& garments, std::span<const Marker> stored);
 

@@ -3,11 +3,11 @@
 // A marker holds a ratio of bundles; a lay is a marker with plies of one or several colours under it.  Of each colour
 // and size, the lays together cut   sum over lays of plies[colour] * ratio[size]   garments [Li94 5.3.4].
 //
-// Cloth comes from rolls and from remnants.  Rolls are as many as are needed.  Where one ends within a ply, the ply is
-// spliced: the next roll begins a little before the end, so that no piece is cut in two.  What the overlaps take is
-// spread evenly over the cloth from rolls.  A remnant is a length that an earlier order has left; it holds whole plies
-// of its colour and is never spliced.
-// Units: millimetres and square millimetres; rates per metre, in the caller's currency.
+// Cloth comes from rolls and from remnants.  There are as many rolls as needed.  Where one ends within a ply, the ply
+// is spliced: the next roll begins a little before the end, so that no piece is cut in two.  The loss in these overlaps
+// is spread evenly over the cloth from rolls.  A remnant is a length of cloth left over from an earlier order.  Whole
+// plies of its colour are cut from it, and they are never spliced. Units: millimetres and square millimetres; rates per
+// metre, in the caller's currency.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace selvage::planning::orders {
 
-// One garment of a size: what its pieces are together.
+// The total area and perimeter of the pieces of one garment of this size.
 struct Size {
   std::string name;
   double area{}, perimeter{};
@@ -35,7 +35,7 @@ struct Order {
 // in pairs, of which the second cuts mirrored pieces.
 enum class Spread { kOneWay, kFaceToFace };
 
-// Cloth that is there already.
+// A length of cloth left over from an earlier order.
 struct Remnant {
   std::size_t colour{};
   double length{};
@@ -46,16 +46,16 @@ struct Cloth {
   double width{};
   Spread spread{Spread::kOneWay};
   double end_loss{40};      // of every ply, at both of its ends together
-  double roll_length{};     // 0: rolls have no end; else no shorter than the table or two splices
+  double roll_length{};     // 0: rolls are endless; else at least the table and at least two splices
   double splice_loss{500};  // the overlap of two rolls in a ply
   std::vector<Remnant> remnants;
 };
 
 struct Limits {
-  int plies{60};               // most plies of a lay
-  double table{12'000};        // most length of a ply: of the marker and the end loss
-  int bundles{6};              // most bundles of a marker
-  double over{0.03}, under{};  // parts by which more or fewer garments may be cut than were ordered
+  int plies{60};               // maximum number in a lay
+  double table{12'000};        // length of the table: the longest ply, end loss included
+  int bundles{6};              // maximum number in a marker
+  double over{0.03}, under{};  // how many more or fewer garments may be cut, as a fraction of those ordered
 };
 
 struct Costs {
@@ -64,7 +64,7 @@ struct Costs {
   double lay{10};          // of setting up a lay
   double ply{0.2};         // of spreading a ply
   double marker{10};       // of making a marker
-  double cut_metre{0.05};  // of the knife's way around the pieces of a lay
+  double cut_metre{0.05};  // of cutting a lay, per metre of the outlines in its marker
 };
 
 struct Problem {
@@ -73,18 +73,18 @@ struct Problem {
   Limits limits;
   Costs costs;
 
-  // Plies come in units of this number, and a lay has room for so many units.
+  // The number of plies in a unit, and the maximum number of units in a lay.
   [[nodiscard]] int plies_of_unit() const { return cloth.spread == Spread::kFaceToFace ? 2 : 1; }
   [[nodiscard]] int units_of_lay() const { return limits.plies / plies_of_unit(); }
-  // What the plies of a unit take of the cloth, with their end losses.
+  // The length of cloth in the plies of a unit, including their end losses.
   [[nodiscard]] double unit_length(double marker) const { return plies_of_unit() * (marker + cloth.end_loss); }
-  // What a millimetre of a ply costs from rolls, splices included, and how much less from remnants; not below 0.
+  // The cost of a millimetre of a ply from rolls, splices included, and how much less it is from remnants (at least 0).
   [[nodiscard]] double roll_rate() const;
   [[nodiscard]] double remnant_saving() const;
-  // The part by which splices increase the cloth from rolls: one for every length that a roll adds.
+  // The fraction by which splices increase the cloth from rolls: one splice for every length that a roll adds.
   [[nodiscard]] double splice_part() const;
-  // The fewest and the most garments that may be cut.  When plies come in pairs, so do garments; one beyond the least
-  // is then always allowed.
+  // The minimum and maximum number of garments that may be cut.  When plies come in pairs, so do garments; one more
+  // than the minimum is then always allowed.
   [[nodiscard]] int least(std::size_t colour, std::size_t size) const;
   [[nodiscard]] int most(std::size_t colour, std::size_t size) const;
 };

@@ -1,8 +1,9 @@
-// Which plies of a cutting lie on remnants: those that save most.
+// Which plies of a cutting lie on remnants: the choice that saves most.
 //
 // Every colour is a problem of its own, with several knapsacks: a remnant holds whole units of plies, of one marker or
-// of several, one behind the other.  What is saved grows with the length that is covered.  All ways are tried, those
-// that fill the first remnants most at first, up to a number of steps that cuttings of a few markers hardly reach.
+// of several, one behind the other.  The saving is proportional to the length that is used.  All ways are tried,
+// beginning with those that fill the first remnants most, up to a number of steps that cuttings of a few markers hardly
+// reach.
 //
 // Units: millimetres; money in the caller's currency; plies are counted in units (orders::Problem::plies_of_unit).
 #pragma once
@@ -15,18 +16,18 @@
 namespace selvage::planning::program {
 
 struct OnRemnants {
-  std::vector<std::vector<int>> units;  // by use, by remnant
-  double length{};                      // of cloth, together
+  std::vector<std::vector<int>> units;  // indexed by use, then by remnant
+  double length{};                      // total length of cloth from remnants
 };
 
-// Laws.  (1) No remnant is longer covered than it is, and no use has more units on the remnants of a colour than it has
-// in that colour.  (2) Nothing lies on remnants whose cloth is as dear as that of rolls.  (3) Within the steps, no
-// other choice covers more.  Deterministic.
+// Laws.  (1) No more is used of a remnant than its length, and no use has more units on the remnants of a colour than
+// it has in that colour.  (2) Nothing lies on remnants whose cloth costs as much as that of rolls.  (3) Unless the
+// number of steps is exhausted, no other choice uses a greater length.  Deterministic.
 [[nodiscard]] OnRemnants spread_on_remnants(const orders::Problem& problem, const std::vector<Use>& uses);
 
-// What any plan saves at most by the remnants of a colour, and of all colours together.
+// The most that any plan can save by using the remnants of all colours.
 [[nodiscard]] double most_saved(const orders::Problem& problem);
-// The remnants of a colour, added up.
+// The total length of the remnants of a colour.
 [[nodiscard]] double remnant_length(const orders::Problem& problem, std::size_t colour);
 // How many units of this length a remnant holds; 0 when its cloth saves nothing.
 [[nodiscard]] int units_held(const orders::Problem& problem, const orders::Remnant& remnant, double unit_length);

@@ -40,7 +40,7 @@ struct Gap {
   static void describe(auto& v, auto& self) {
     v.required("piece", self.piece, calls::kPieceMeaning);
     v.optional("other", self.other, "The id of the adjacent piece.");
-    v.optional("edge", self.edge, "Or the adjacent edge.");
+    v.optional("edge", self.edge, "The adjacent edge, if there is no other piece.");
   }
 };
 struct GapWidths {

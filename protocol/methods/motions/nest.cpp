@@ -26,7 +26,7 @@ struct NestParams {
                "Number of independent searches, 1 to 64, which run in parallel; the best result is used.",
                {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,
-               "True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again.");
+               "True: pieces that lie on the cloth stay there, except for compaction; false: they are nested again.");
     v.optional(
         "fromScratch", self.from_scratch,
         "True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer "

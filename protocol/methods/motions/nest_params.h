@@ -59,7 +59,7 @@ struct PieceValue {
   }
 };
 inline constexpr std::string_view kValuesMeaning =
-    "What pieces are worth where there is no room for all of them; others are worth their area.";
+    "The values of pieces, if there is no room for all of them; by default a piece is worth its area.";
 
 // By the pieces' ids, in square lattice units.  Errors: kOutOfRange for a piece that the marker does not have.
 [[nodiscard]] Result<std::map<std::string, double, std::less<>>> values_of(

@@ -21,7 +21,7 @@ struct ExactCompactionParams {
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
-    v.optional("pieces", self.pieces, "Number of pieces of a window, 1 to 12.", {.range = {{1, kMostPieces}}});
+    v.optional("pieces", self.pieces, "Number of pieces in a window, 1 to 12.", {.range = {{1, kMostPieces}}});
     v.optional("nodes", self.nodes, "The largest number of nodes of the search in a window.",
                {.range = {{1, kMostNodes}}});
     v.optional("windows", self.windows,
@@ -80,7 +80,7 @@ Result<calls::Motion<ExactCompactionResult>> run_compact_exactly(const ExactComp
 calls::Method compact_exactly_method() {
   return calls::motion_method(
       "marker.compactExactly", calls::MethodKind::kMotion,
-      "Shortens the marker by an exact search for new places of the pieces in one stretch after another.",
+      "Shortens the marker by exact searches for new positions of the pieces in one window after another.",
       run_compact_exactly);
 }
 

@@ -41,7 +41,7 @@ struct PackResult {
     v.required("bound", self.bound,
                "A proved lower bound on the length of any marker of these pieces, even if the search ended early.");
     v.required("placed", self.placed, "Number of pieces that lie on the cloth afterwards.");
-    v.required("unplaced", self.unplaced, "Number of pieces that do not.");
+    v.required("unplaced", self.unplaced, "Number of pieces that do not lie on the cloth afterwards.");
     v.required("nodes", self.nodes, "Number of nodes searched.");
     v.part(self.rounds);
   }

@@ -101,7 +101,7 @@ class Answer {
     return *formats::marker_document(file, Format::kNative);
   }
 
-  // Of every colour, the plies from remnants and then those from rolls: so they were laid.
+  // The plies in the order in which they are spread: of every colour, first those from remnants, then those from rolls.
   [[nodiscard]] std::vector<PliesOfColour> plies_of(const core::Lay& lay) const {
     std::vector<PliesOfColour> listed;
     for (std::size_t colour = 0; colour < lay.plies.size(); ++colour) {

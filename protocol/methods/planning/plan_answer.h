@@ -1,14 +1,15 @@
-// The answer of plan.cut: a plan in the words of the order, with the documents of its markers.
+// The result of plan.cut: a plan with the names of the order's colours and sizes, and the documents of its markers.
 #pragma once
 
 #include "core/planning/making/nested_markers.h"
 #include "core/planning/plan.h"
 #include "protocol/document/marker_file.h"
-#include "protocol/methods/planning/plan_messages.h"
+#include "protocol/methods/planning/plan_result.h"
 
 namespace selvage::protocol::methods::planning {
 
-// All but `stop` and `stored`.  Documents have the attributes of the style's shapes; `documented` null: there are none.
+// Fills all fields but `stop` and `stored`.  The markers' documents take the attributes of their shapes from
+// `documented`, the style; when it is null, the result has no documents.
 [[nodiscard]] PlanResult plan_answer(const selvage::planning::orders::Problem& problem,
                                      const selvage::planning::Plan& plan,
                                      const selvage::planning::making::MadeMarkers& made, const MarkerFile* documented);

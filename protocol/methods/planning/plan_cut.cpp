@@ -7,7 +7,7 @@
 #include "core/planning/making/stored_lengths.h"
 #include "protocol/json/json_text.h"
 #include "protocol/methods/planning/plan_answer.h"
-#include "protocol/methods/planning/plan_messages.h"
+#include "protocol/methods/planning/plan_params.h"
 #include "protocol/methods/planning/style_garments.h"
 #include "protocol/methods/readings/reading.h"
 
@@ -86,7 +86,7 @@ Result<Problem> problem_of(const PlanParams& params, const Demand& demand, const
     const Piece& odd = *piece < placed ? garments.style.pieces[*piece] : garments.style.unplaced[*piece - placed];
     return Error{ErrorCode::kOutOfRange,
                  "face to face, every second ply cuts mirror images, and piece " + json::shortened(Json(odd.id)) +
-                     " of size " + json::shortened(Json(demand.sizes[size])) + " has none in its bundle",
+                     " of size " + json::shortened(Json(demand.sizes[size])) + " has no mirror image in its bundle",
                  "/spread"};
   }
   return problem;

@@ -18,7 +18,7 @@ struct LoadedContact {
   static void describe(auto& v, auto& self) {
     v.required("piece", self.piece, calls::kPieceMeaning);
     v.optional("other", self.other, "The id of the adjacent piece.");
-    v.optional("edge", self.edge, "Or the adjacent edge.");
+    v.optional("edge", self.edge, "The adjacent edge, if there is no other piece.");
     v.required("worth", self.worth, "How much shorter the marker would become per unit of room here.");
     v.required("at", self.at, "The point where they touch.");
   }

@@ -48,7 +48,7 @@ export type MarkerDocument = {
 /** The vertices of a simple polygon, either way round, the first repeated at the end or not; at most 2,000. */
 export type Outline = Array<Point>;
 
-/** Free; kept and written back. */
+/** Any members; kept and written back. */
 export type Attributes = Record<string, unknown>;
 
 /** Where on the strip the piece may lie. docs/cloth-rules.md explains the rules. */
@@ -65,17 +65,17 @@ export type RulesDocument = {
   fold?: boolean;
   /** A point of its shape, which lies where a repeat of the cloth's pattern begins. */
   match?: Point;
-  /** The name of its match set: whole repeats lead from one match point of the set to another, wherever they lie. */
+  /** The name of its match set: the match points of its pieces lie whole repeats of the pattern apart, wherever on the cloth. */
   matchSet?: string;
   /** The name of its shade. */
   shade?: string;
-  /** The way in which it lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
+  /** How it lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
   nap?: "up" | "down";
-  /** It is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw, a hole or a splice. */
+  /** It is not a piece but a part of the cloth that no piece may cover, such as a flaw, a hole or a splice. */
   zone?: boolean;
-  /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones. Of a zone: the class of its cloth, from 1; absent: one that no piece accepts. */
+  /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones. Of a zone: the class of its cloth, 1 or more; absent: no piece may cover the zone. */
   quality?: number;
-  /** The part of the piece that accepts less than the rest, such as the one that is seen. */
+  /** A part of the piece that needs better cloth than the rest, such as the visible one. */
   part?: {
     outline: Outline;
     /** The worst quality class that it accepts, less than that of the piece. */
@@ -101,7 +101,7 @@ export type ShapeDocument = {
   holes?: Array<Array<Point>>;
   /** Allowed rotations in degrees, counter-clockwise about the shape's own origin. */
   rotations?: "any" | Array<number>;
-  /** May the shape be mirrored? */
+  /** Whether the shape may be mirrored. */
   flip?: boolean;
   /** The largest tilt either way, in degrees, on top of a rotation. */
   tilt_limit?: number;
@@ -125,7 +125,7 @@ export type PieceDocument = {
   locked?: boolean | Array<"x" | "y" | "tilt">;
   /** Pieces of one group move as one and do not tilt. */
   group?: Id;
-  /** Room kept about the piece: two pieces are no closer than the sum of their buffers. */
+  /** Clearance around the piece: two pieces keep at least the sum of their buffers. */
   buffer?: number;
   /** The piece's own overlap allowance; absent: the marker's. A pair is allowed the smaller of its two. */
   overlap?: number;
@@ -148,7 +148,7 @@ export type UnplacedPieceDocument = {
   locked?: boolean | Array<"x" | "y" | "tilt">;
   /** Pieces of one group move as one and do not tilt. */
   group?: Id;
-  /** Room kept about the piece: two pieces are no closer than the sum of their buffers. */
+  /** Clearance around the piece: two pieces keep at least the sum of their buffers. */
   buffer?: number;
   /** The piece's own overlap allowance; absent: the marker's. A pair is allowed the smaller of its two. */
   overlap?: number;

@@ -54,7 +54,7 @@ export interface DragMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
     };
   };
@@ -89,7 +89,7 @@ export interface DragMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
     };
   };

@@ -104,7 +104,7 @@ export interface MarkerMethods {
       napDirection?: ClothNap;
       /** True: the cloth is a tube, whose upper edge is a fold like the lower one. */
       tube?: boolean;
-      /** Parts of the cloth that no piece may cover: [{"from": [X, Y], "to": [X, Y]}], or only some. */
+      /** Rectangles of the cloth that no piece, or only some pieces, may cover: [{"from": [X, Y], "to": [X, Y]}]. */
       zones?: Array<ClothZone>;
       /** Rules of single pieces or shapes: [{"shape": "collar", "rules": {"match": [0, 0]}}]. */
       pieceRules?: Array<RulesOfPieces>;
@@ -126,7 +126,7 @@ export interface MarkerMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
       /** Repairs made while reading. */
       notes: Array<Note>;
@@ -178,7 +178,7 @@ export interface MarkerMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
       /** Repairs made to the shapes that were added. */
       notes?: Array<Note>;
@@ -213,7 +213,7 @@ export interface MarkerMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
     };
   };
@@ -246,7 +246,7 @@ export interface MarkerMethods {
       length: number;
       /** The pieces' area divided by width times length, 0 to 1. */
       utilisation: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
     };
   };

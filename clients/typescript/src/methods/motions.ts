@@ -33,7 +33,7 @@ export type Gap = {
   piece: string;
   /** The id of the adjacent piece. */
   other?: string;
-  /** Or the adjacent edge. */
+  /** The adjacent edge, if there is no other piece. */
   edge?: StripEdge;
 };
 
@@ -43,7 +43,7 @@ export type GapWidths = {
   piece: string;
   /** The id of the adjacent piece. */
   other?: string;
-  /** Or the adjacent edge. */
+  /** The adjacent edge, if there is no other piece. */
   edge?: StripEdge;
   /** Its width before the motion. */
   before: number;
@@ -80,7 +80,7 @@ export interface MotionMethods {
       bound: number;
       /** Number of pieces that lie on the cloth afterwards. */
       placed: number;
-      /** Number of pieces that do not. */
+      /** Number of pieces that do not lie on the cloth afterwards. */
       unplaced: number;
       /** Number of nodes searched. */
       nodes: number;

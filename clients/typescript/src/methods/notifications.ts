@@ -32,7 +32,7 @@ export interface Notifications {
     length: number;
     /** The pieces' area divided by width times length, 0 to 1. */
     utilisation: number;
-    /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+    /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
     valid: boolean;
     /** True: something else changed too, such as the strip, the spacing, the overlap allowance or shapes; absent otherwise. */
     whole?: boolean;

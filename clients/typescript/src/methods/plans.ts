@@ -3,23 +3,23 @@
 import type { MarkerDocument } from "./documents.js";
 import type { ProgressToken, StopReason } from "./shared.js";
 
-/** How many bundles of a size a marker holds. */
+/** The number of bundles of one size in a marker. */
 export type BundlesOfSize = {
   /** The size. */
   size: string;
-  /** At least 1. */
+  /** The number of bundles, at least 1. */
   bundles: number;
 };
 
-/** How many garments are cut. */
+/** How many garments of a colour and size are cut. */
 export type Delivered = {
   /** The colour. */
   colour: string;
   /** The size. */
   size: string;
-  /** Garments. */
+  /** Number of garments ordered. */
   ordered: number;
-  /** Garments. */
+  /** Number of garments cut. */
   cut: number;
 };
 
@@ -27,9 +27,9 @@ export type Delivered = {
 export type PlanCosts = {
   /** The sum of the costs. */
   total: number;
-  /** Cloth from rolls, with end losses. */
+  /** Cloth from rolls, including end losses. */
   cloth: number;
-  /** Cloth that splices take, as many as so much cloth has on an average. */
+  /** Cloth lost in splices, computed from the average number of splices in this much cloth. */
   splices: number;
   /** Cloth from remnants. */
   remnants: number;
@@ -39,87 +39,87 @@ export type PlanCosts = {
   plies: number;
   /** Making markers. */
   markers: number;
-  /** The knife's way. */
+  /** Cutting along the outlines. */
   cutting: number;
 };
 
 /** A lay of a plan. */
 export type PlannedLay = {
-  /** Position in the list of markers; 0 is the first. */
+  /** The index of the lay's marker in markers, from 0. */
   marker: number;
-  /** From the lowest to the uppermost. */
+  /** The plies, from the lowest to the uppermost. */
   plies: Array<PliesOfColour>;
 };
 
 /** A marker of a plan. */
 export type PlannedMarker = {
-  /** What it holds. */
+  /** The sizes in the marker. */
   ratio: Array<BundlesOfSize>;
-  /** False: the run ended before the marker was made, and its length is an estimate. */
+  /** Whether the marker was made. If not, the search ended before, and the length is an estimate. */
   made: boolean;
   /** The length of the marker, without the end loss. */
   length: number;
   /** The pieces' area divided by width times length, 0 to 1. */
   utilisation: number;
-  /** Number of lays that are cut with it. */
+  /** Number of lays that are cut with the marker. */
   lays: number;
-  /** Number of plies of all these lays. */
+  /** Number of plies in all these lays. */
   plies: number;
-  /** Length of cloth that they take, with end losses. */
+  /** Length of cloth in these plies, including end losses. */
   cloth: number;
-  /** The cost of making the marker and cutting its lays; cloth from remnants at its price. */
+  /** The cost of making the marker and cutting its lays, cloth included. */
   cost: number;
-  /** Its document in the native form; absent when it was not made or not asked for. */
+  /** The marker as a native document; absent if it was not made or documents were not requested. */
   marker?: MarkerDocument;
 };
 
-/** What a plan takes from a remnant. */
+/** How a plan uses a remnant. */
 export type PlannedRemnant = {
   /** The colour. */
   colour: string;
-  /** Its length. */
+  /** The length of the remnant. */
   length: number;
-  /** Number of plies that come from it. */
+  /** Number of plies cut from the remnant. */
   plies: number;
-  /** The length that they take, with end losses. */
+  /** The length of these plies, including end losses. */
   used: number;
-  /** What is left of it. */
+  /** The length that remains. */
   left: number;
 };
 
-/** What a plan takes from the rolls of a colour, spread one after another. */
+/** How a plan uses the rolls of a colour, when its lays are spread one after another. */
 export type PlannedRolls = {
   /** The colour. */
   colour: string;
-  /** The length of the plies that come from rolls, with end losses. */
+  /** The length of the plies cut from rolls, including end losses. */
   cloth: number;
-  /** Number of rolls that are begun; 0 when rolls have no end. */
+  /** Number of rolls that are opened; 0 if rolls are endless. */
   rolls: number;
-  /** Number of plies that are spliced. */
+  /** Number of spliced plies. */
   splices: number;
-  /** Length lost in splices, and in ends that are shorter than a splice. */
+  /** Length lost in splices and in roll ends that are too short to be spliced. */
   lost: number;
-  /** What is left of the last roll: a remnant for another order. */
+  /** The length that remains of the last roll: a remnant for another order. */
   left: number;
 };
 
-/** A round of choosing markers and making them. */
+/** A round, which chooses markers and makes them. */
 export type PlanningRound = {
-  /** Cost of the round's plan at the lengths that chose it. */
+  /** The cost of the round's plan at the lengths by which it was chosen, some of them estimates. */
   estimated: number;
-  /** Its cost once its markers were made; null when one of them cannot be used. */
+  /** Its cost at the lengths of the markers made; null if one of them cannot be used. */
   real: number | null;
-  /** The least real cost so far. */
+  /** The lowest real cost so far. */
   best: number;
 };
 
-/** How many plies of a colour a lay has. */
+/** Plies of one colour in a lay, all from rolls or all from one remnant. */
 export type PliesOfColour = {
   /** The colour. */
   colour: string;
-  /** At least 1. */
+  /** The number of plies, at least 1. */
   plies: number;
-  /** Position in the list of remnants of the one that they come from; absent: they come from rolls. */
+  /** The index of the remnant that the plies are cut from, from 0; absent: they are cut from rolls. */
   remnant?: number;
 };
 
@@ -127,21 +127,21 @@ export type PliesOfColour = {
 export type Quantity = {
   /** The colour of the cloth. */
   colour: string;
-  /** As the style's pieces name it among their attributes. */
+  /** The size, as the attributes of the style's pieces or shapes name it. */
   size: string;
-  /** 0 to 1,000,000. */
+  /** The number of garments, 0 to 1,000,000. */
   garments: number;
 };
 
-/** Cloth that an earlier order has left. */
+/** A length of cloth left over from an earlier order. */
 export type Remnant = {
-  /** One of the order's colours. */
+  /** The colour, which must be one of the order's. */
   colour: string;
-  /** Its length; above 0. */
+  /** The length of the remnant, above 0. */
   length: number;
 };
 
-/** How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces. */
+/** How plies are spread: all face up, or in pairs face to face, where the second ply cuts mirrored pieces. */
 export type Spread = "one_way" | "face_to_face";
 
 export interface PlanMethods {
@@ -150,27 +150,27 @@ export interface PlanMethods {
     params: {
       /** The style: a marker with one garment of every size. */
       markerId: string;
-      /** 1 to 2,500 of them; those of one colour and size are added up. */
+      /** What is ordered: 1 to 2,500 entries. Entries of the same colour and size are added up. */
       quantities: Array<Quantity>;
       /** How plies are spread. */
       spread?: Spread;
       /** Cloth that every ply loses at its two ends together. */
       endLoss?: number;
-      /** The length of a roll; plies are spliced where one ends. 0: rolls have no end. Else no shorter than the table and than two splices. */
+      /** The length of a roll; where a roll ends within a ply, the ply is spliced. 0: rolls are endless. Otherwise at least the table's length and at least twice the splice loss. */
       rollLength?: number;
-      /** Cloth that a splice takes: the overlap of two rolls in a ply. */
+      /** Cloth lost in a splice: the length by which two rolls overlap. */
       spliceLoss?: number;
-      /** Up to 100 lengths of cloth that are there already. They hold whole plies, which are not spliced. */
+      /** Up to 100 lengths of cloth left over from earlier orders. Plies from remnants are never spliced. */
       remnants?: Array<Remnant>;
-      /** Most plies of a lay, 1 to 1,000. */
+      /** Maximum number of plies in a lay, 1 to 1,000. */
       plies?: number;
-      /** Most length of a ply: that of the marker and the end loss. */
+      /** The length of the table: a ply, including its end loss, is at most this long. */
       table?: number;
-      /** Most bundles of a marker, 1 to 50. */
+      /** Maximum number of bundles in a marker, 1 to 50. */
       bundles?: number;
-      /** Part by which more garments of a colour and size may be cut, 0 to 10. */
+      /** How many garments of a colour and size may be cut beyond those ordered, as a fraction of these, 0 to 10. */
       overCut?: number;
-      /** Part by which fewer may be cut, 0 to 1. */
+      /** How many garments fewer than ordered may be cut, as a fraction, 0 to 1. */
       underCut?: number;
       /** The cost of a metre of cloth from rolls. */
       costMetre?: number;
@@ -182,27 +182,27 @@ export interface PlanMethods {
       costPly?: number;
       /** The cost of making a marker. */
       costMarker?: number;
-      /** The cost of a metre that the knife cuts around the pieces of a lay. */
+      /** The cost of cutting a lay, per metre of the outlines in its marker. */
       costCutMetre?: number;
-      /** The search ends when cost and bound differ by this part of the cost, 0 to 1. */
+      /** The search ends when the cost exceeds the bound by at most this fraction of the cost, 0 to 1. */
       gap?: number;
-      /** Most rounds of choosing markers and making them, 1 to 100. */
+      /** Maximum number of rounds, each of which chooses markers and makes them, 1 to 100. */
       rounds?: number;
-      /** After so many made markers, only those are made that a round's plan needs, 0 to 1,000. */
+      /** Once this many markers have been made, a round makes only those that its plan needs, 0 to 1,000. */
       mostMade?: number;
-      /** Markers that each round makes besides those of its plan, 0 to 100. */
+      /** How many markers each round makes in addition to those of its plan, 0 to 100. */
       nearMade?: number;
-      /** The budget of nesting a marker, in moves for each of its pieces. */
+      /** The budget for nesting a marker, in moves for each of its pieces. */
       movesPerPiece?: number;
-      /** The seed of nesting's random choices. */
+      /** The seed of the random choices in nesting. */
       seed?: number;
-      /** Stored markers, native or sparrow documents: those of similar garments on such cloth teach how long markers become. The nearest of the library when absent. */
+      /** Stored markers, as native or sparrow documents. The lengths of markers are first estimated from those that hold similar garments on similar cloth. Absent: the most similar ones of the library. */
       stored?: Array<MarkerDocument | Record<string, unknown>>;
-      /** False: leave out the markers' documents. */
+      /** Whether the result contains the documents of the markers. */
       documents?: boolean;
       /** After this many milliseconds the best plan so far is returned; 1 to 86,400,000. */
       deadlineMs?: number;
-      /** Progress notifications, one after each round, carry this token; their length is the cloth of the best plan so far. */
+      /** Progress notifications, one after each round, carry this token. Their length is that of the cloth which the best plan so far takes. */
       progressToken?: ProgressToken;
     };
     result: {
@@ -212,29 +212,29 @@ export interface PlanMethods {
       revision: number;
       /** The markers that are cut. */
       markers: Array<PlannedMarker>;
-      /** Which plies lie under which marker. */
+      /** The lays, each with its marker and its plies. */
       lays: Array<PlannedLay>;
-      /** For every colour and size that is ordered. */
+      /** How many garments are cut, for every colour and size ordered. */
       delivered: Array<Delivered>;
-      /** In the order in which they were given. */
+      /** How each remnant is used, in the order in which they were given. */
       remnants: Array<PlannedRemnant>;
-      /** For every colour. */
+      /** How the rolls of each colour are used. */
       rolls: Array<PlannedRolls>;
-      /** Length of cloth in all plies, with end losses. */
+      /** Length of cloth in all plies, including end losses. */
       cloth: number;
       /** What the plan costs. */
       cost: PlanCosts;
-      /** No plan costs less at the lengths that the last round used, where markers that were not made are estimated. */
+      /** A lower bound on the cost of any plan at the lengths that the last round used. Markers that were not made have estimated lengths. */
       bound: number;
-      /** True: every marker of the plan was made, and is proved valid. */
+      /** Whether every marker of the plan was made; each of these is proved valid. */
       complete: boolean;
       /** Number of ratios that the last round considered. */
       candidates: number;
       /** Number of markers that were made. */
       made: number;
-      /** Number of stored markers that the first estimate of lengths was learnt from. */
+      /** Number of stored markers from which the lengths were first estimated. */
       stored: number;
-      /** What each round came to. */
+      /** The result of each round. */
       rounds: Array<PlanningRound>;
       /** Why the motion ended. */
       stop: StopReason;

@@ -30,7 +30,7 @@ export type LoadedContact = {
   piece: string;
   /** The id of the adjacent piece. */
   other?: string;
-  /** Or the adjacent edge. */
+  /** The adjacent edge, if there is no other piece. */
   edge?: StripEdge;
   /** How much shorter the marker would become per unit of room here. */
   worth: number;
@@ -203,7 +203,7 @@ export interface ReadingMethods {
       markerId: string;
       /** The marker's revision. */
       revision: number;
-      /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+      /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
       /** Pairs that overlap or are too close. */
       overlaps: Array<Overlap>;
@@ -278,7 +278,7 @@ export interface ReadingMethods {
       seconds?: number;
       /** The seed of the random choices. */
       seed?: number;
-      /** What pieces are worth where there is no room for all of them; others are worth their area. */
+      /** The values of pieces, if there is no room for all of them; by default a piece is worth its area. */
       values?: Array<PieceValue>;
       /** After this many milliseconds the call returns its best result so far; 1 to 86,400,000. */
       deadlineMs?: number;

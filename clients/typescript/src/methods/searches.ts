@@ -33,7 +33,7 @@ export type RemakeStepResult = {
   length: number;
   /** The utilisation of the pieces that are placed after the step, 0 to 1. */
   utilisation: number;
-  /** Proved in integers: no overlap, no distance below the spacing, nothing outside the strip. */
+  /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
   valid: boolean;
 };
 
@@ -51,11 +51,11 @@ export interface SearchMethods {
       seed?: number;
       /** Number of independent searches, 1 to 64, which run in parallel; the best result is used. */
       searches?: number;
-      /** True: pieces that lie on the cloth stay there, up to compaction; false: they are nested again. */
+      /** True: pieces that lie on the cloth stay there, except for compaction; false: they are nested again. */
       keepPlaced?: boolean;
       /** True: all pieces but locked ones and groups are taken off the cloth first, and the result may be longer than the marker was.  Not together with keepPlaced. */
       fromScratch?: boolean;
-      /** What pieces are worth where there is no room for all of them; others are worth their area. */
+      /** The values of pieces, if there is no room for all of them; by default a piece is worth its area. */
       values?: Array<PieceValue>;
     };
     result: MotionResult & {
@@ -129,10 +129,10 @@ export interface SearchMethods {
       rounds: number;
     };
   };
-  /** Shortens the marker by an exact search for new places of the pieces in one stretch after another. */
+  /** Shortens the marker by exact searches for new positions of the pieces in one window after another. */
   "marker.compactExactly": {
     params: MotionParams & {
-      /** Number of pieces of a window, 1 to 12. */
+      /** Number of pieces in a window, 1 to 12. */
       pieces?: number;
       /** The largest number of nodes of the search in a window. */
       nodes?: number;

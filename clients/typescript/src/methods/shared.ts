@@ -43,7 +43,7 @@ export type LockedPart = "x" | "y" | "tilt";
 /** True: the whole piece is locked; false: nothing is; or a list of the locked movements. */
 export type Locks = boolean | Array<LockedPart>;
 
-/** The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
+/** How a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
 export type NapDirection = "up" | "down";
 
 /** Two pieces that overlap or are too close. */
@@ -58,11 +58,11 @@ export type Overlap = {
   depth: number;
 };
 
-/** A part of a piece that accepts less of the cloth's quality than the rest. */
+/** A part of a piece that needs cloth of better quality than the rest. */
 export type PiecePart = {
-  /** Its corners, in the coordinates of the shape and within its outline. */
+  /** The corners of the part, in the coordinates of the shape and inside its outline. */
   outline: Array<Point>;
-  /** The worst quality class that it accepts, less than that of the piece. */
+  /** The worst quality class that the part accepts, less than that of the piece; 0 when absent. */
   quality?: number;
 };
 
@@ -80,17 +80,17 @@ export type PieceRules = {
   fold?: boolean;
   /** A point of its shape, which is matched to the cloth's pattern. */
   match?: Point;
-  /** The name of its match set: the ways between the match points of its pieces are whole repeats of the pattern, wherever on the cloth they lie; absent: the match point lies where a repeat begins. */
+  /** The name of its match set: the match points of its pieces lie whole repeats of the pattern apart, wherever on the cloth; absent: the match point lies where a repeat begins. */
   matchSet?: string;
   /** The name of its shade: the pieces of a shade lie near each other along the strip. */
   shade?: string;
-  /** The way in which it lies on cloth with a nap; absent: any that its shape allows. */
+  /** How it lies on cloth with a nap; absent: in any orientation that its shape allows. */
   nap?: NapDirection;
-  /** Whether it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw. */
+  /** Whether it is not a piece but a part of the cloth that no piece may cover, such as a flaw. */
   zone?: boolean;
-  /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a zone: the class of its cloth, from 1; absent: one that no piece accepts. */
+  /** The worst quality class of cloth that it accepts; absent: 0, the class of all cloth outside of zones.  Of a zone: the class of its cloth, 1 or more; absent: no piece may cover the zone. */
   quality?: number;
-  /** The part of it that accepts less than the rest, such as the one that is seen. */
+  /** A part of it that needs better cloth than the rest, such as the visible one. */
   part?: PiecePart;
 };
 

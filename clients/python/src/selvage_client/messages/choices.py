@@ -41,7 +41,7 @@ Nap = Literal["one_way", "either_way"]
 """Whether pieces may also be rotated by 180 degrees."""
 
 NapDirection = Literal["up", "down"]
-"""The way in which a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down)."""
+"""How a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down)."""
 
 RemakeOutcome = Literal["remade", "nested", "none_near", "not_apart"]
 """The outcome of remaking. remade: laid out like a stored marker; nested: nested from nothing, as requested; none_near: no stored marker is similar enough; not_apart: no attempt could separate its pieces on the cloth."""
@@ -50,7 +50,7 @@ RemakeStep = Literal["substituted", "separated", "popped", "searched", "compacte
 """A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine."""
 
 Spread = Literal["one_way", "face_to_face"]
-"""How plies are spread: all face up, or in pairs face to face, of which the second cuts mirrored pieces."""
+"""How plies are spread: all face up, or in pairs face to face, where the second ply cuts mirrored pieces."""
 
 StopReason = Literal["converged", "work_limit", "cancelled", "solver_failed", "lattice_end", "deadline"]
 """Why a motion ended; in every case the result is the best valid marker so far."""

@@ -142,7 +142,7 @@ class AsyncSearches(AsyncMotion):
         timing: bool | None = None,
         progress: ProgressOption = None,
     ) -> CompactExactlyResult:
-        """Shortens the marker by an exact search for new places of the pieces in one stretch after another."""
+        """Shortens the marker by exact searches for new positions of the pieces in one window after another."""
         return await self._move(
             CompactExactlyResult,
             "marker.compactExactly",
