@@ -23,12 +23,13 @@ std::optional<std::vector<Word>> words_of(std::string_view block) {
   std::vector<Word> words;
   for (std::size_t at = 0; at < block.size();) {
     const auto c = static_cast<unsigned char>(block[at]);
-    if (c <= ' ') {
+    if (c <= ' ' || c == '%') {  // % begins and ends a tape
       ++at;
       continue;
     }
     if (!std::isupper(c)) return std::nullopt;
     ++at;
+    while (at < block.size() && block[at] == ' ') ++at;  // "X 100 Y 200"
     const bool plus = at < block.size() && block[at] == '+';
     double number = 0;
     const char* first = block.data() + at + (plus ? 1 : 0);
@@ -94,6 +95,7 @@ class Interpreter {
       case 'B': lower(); break;
       case 'G':
         if (word.number == 70 || word.number == 71) commands_.unit = static_cast<int>(word.number);
+        if (word.number == 91) incremental_ = true;
         break;
       case 'M': return obey_function(static_cast<int>(std::clamp(word.number, -1.0, 1e6)), block);
       default: break;
@@ -162,6 +164,7 @@ class Interpreter {
   }
 
   CutCommands finish() {
+    if (incremental_) commands_.notes.push_back({"", "G91 is ignored: coordinates are absolute in ASTM D6672"});
     std::erase_if(commands_.pieces, [](const CutPiece& piece) { return piece.runs.empty(); });
     return std::move(commands_);
   }
@@ -170,7 +173,7 @@ class Interpreter {
   Encoding encoding_;
   std::size_t number_{}, unread_{};
   Spot at_;
-  bool moved_{}, down_{};
+  bool moved_{}, down_{}, incremental_{};
   CutCommands commands_;
 };
 

@@ -87,7 +87,8 @@ class Reader {
 
   void sort(Entity entity) {
     if (entity.type == "BLOCK") {
-      drawing_.blocks.push_back({entity.text(2), entity.line, {}});
+      drawing_.blocks.push_back(
+          {entity.text(2), entity.line, entity.number(10).value_or(0), entity.number(20).value_or(0), {}});
       in_block_ = true;
     } else if (entity.type == "ENDBLK" || entity.type == "ENDSEC" || entity.type == "SECTION") {
       in_block_ = false;

@@ -36,6 +36,7 @@ struct Entity {
 struct Block {
   std::string_view name;
   std::uint32_t line{};
+  double base_x{}, base_y{};  // the point that an INSERT places
   std::vector<Entity> entities;
 };
 

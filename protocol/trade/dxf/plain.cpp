@@ -4,7 +4,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 
+#include "protocol/json/json_text.h"
 #include "protocol/trade/dxf/curves.h"
 #include "protocol/trade/dxf/units.h"
 #include "protocol/trade/loops.h"
@@ -15,7 +17,7 @@ namespace {
 
 constexpr double kReach = 0.01;  // millimetres, between the ends of lines
 
-// How an INSERT scales, rotates and moves its block; then the conversion of the unit.
+// How an INSERT, and the INSERTs around it, scale, rotate and move a block; then the conversion of the unit.
 struct Insertion {
   double xx{1}, xy{}, yx{}, yy{1};
   Spot at{};
@@ -26,47 +28,96 @@ struct Insertion {
       if (edge.apex) edge.apex = apply(*edge.apex);
     }
   }
+  // First `inner`, then this one.
+  [[nodiscard]] Insertion after(const Insertion& inner) const {
+    return {xx * inner.xx + xy * inner.yx, xx * inner.xy + xy * inner.yy, yx * inner.xx + yy * inner.yx,
+            yx * inner.xy + yy * inner.yy, apply(inner.at)};
+  }
 };
 
-Insertion insertion_of(const Entity& insert, double unit) {
+// An entity that is seen from behind, with the extrusion direction 0, 0, -1, has the coordinate -x for x.
+bool from_behind(const Entity& entity) {
+  return entity.number(230).value_or(1) < 0 && entity.type != "LINE" && entity.type != "SPLINE" &&
+         entity.type != "ELLIPSE";
+}
+constexpr Insertion kMirrored{-1, 0, 0, 1, {}};
+
+// The copy in this column and row of an INSERT, which may be an array.
+Insertion insertion_of(const Entity& insert, const Block& block, int column, int row) {
   const double sx = insert.number(41).value_or(1), sy = insert.number(42).value_or(1);
   const double angle = insert.number(50).value_or(0) * std::numbers::pi / 180;
   const double c = std::cos(angle), s = std::sin(angle);
   const Spot at = insert.vertices.empty() ? Spot{} : Spot{insert.vertices.front().x, insert.vertices.front().y};
-  return {unit * c * sx, -unit * s * sy, unit * s * sx, unit * c * sy, {unit * at.x, unit * at.y}};
+  const Spot step{column * insert.number(44).value_or(0), row * insert.number(45).value_or(0)};
+  Insertion placed{c * sx, -s * sy, s * sx, c * sy, {at.x + c * step.x - s * step.y, at.y + s * step.x + c * step.y}};
+  placed.at = placed.apply({-block.base_x, -block.base_y});
+  return placed;
 }
 
 class PlainReader {
  public:
-  PlainReader(const DxfDrawing& drawing, double unit, double tolerance)
-      : drawing_{drawing}, unit_{unit}, tolerance_{tolerance / unit} {}
+  PlainReader(const DxfDrawing& drawing, double unit, double tolerance, std::vector<Note>& notes)
+      : drawing_{drawing}, unit_{unit}, tolerance_{tolerance / unit}, notes_{notes} {}
 
-  std::vector<Run> read() {
-    std::map<std::string_view, const Block*> blocks;
-    for (const Block& block : drawing_.blocks) blocks.emplace(block.name, &block);
+  Result<std::vector<Run>> read() {
+    for (const Block& block : drawing_.blocks) blocks_.emplace(block.name, &block);
     const Insertion model{unit_, 0, 0, unit_, {}};
-    for (const Entity& entity : drawing_.entities) {
-      const auto block = entity.type == "INSERT" ? blocks.find(entity.text(2)) : blocks.end();
-      if (block == blocks.end()) {
-        add(entity, model);
-        continue;
-      }
-      const Insertion insertion = insertion_of(entity, unit_);
-      for (const Entity& inner : block->second->entities) add(inner, insertion);
-    }
+    for (const Entity& entity : drawing_.entities) add(entity, model, 0);
+    if (too_many_) return *too_many_;
+    for (const auto& [what, line] : passed_over_) notes_.push_back(note_at(line, what));
     return std::move(runs_);
   }
 
  private:
-  void add(const Entity& entity, const Insertion& insertion) {
+  void add(const Entity& entity, const Insertion& outer, int depth) {
+    if (too_many_) return;
+    const Insertion insertion = from_behind(entity) ? outer.after(kMirrored) : outer;
+    if (entity.type == "INSERT") return add_block(entity, insertion, depth);
     auto run = run_of(entity, tolerance_);
-    if (!run) return;
+    if (!run) {
+      if (entity.type != "ATTRIB" && entity.type != "ATTDEF")
+        pass_over(std::string{entity.type} + " is not read", entity);
+      return;
+    }
     insertion.apply(*run);
+    if (depth > 0) inserted_ += run->points.size();
     runs_.push_back(*std::move(run));
   }
 
+  void add_block(const Entity& insert, const Insertion& outer, int depth) {
+    constexpr int kDeepest = 16, kMostSteps = 1000;
+    constexpr std::size_t kMostInserted = 500'000;  // a few blocks that insert one another can ask for billions
+    const auto block = blocks_.find(insert.text(2));
+    const std::string name = json::shortened(Json(printable(insert.text(2))));
+    if (block == blocks_.end()) return pass_over("INSERT of block " + name + ", which is not in the file", insert);
+    const auto steps = [&](int code) {
+      return static_cast<int>(std::clamp(insert.number(code).value_or(1), 1.0, 1.0 * kMostSteps));
+    };
+    for (int column = 0; column < steps(70) && !too_many_; ++column) {
+      for (int row = 0; row < steps(71) && !too_many_; ++row) {
+        inserted_ += block->second->entities.size() + 1;
+        if (depth == kDeepest || inserted_ > kMostInserted) {
+          too_many_ =
+              error_at(insert.line, ErrorCode::kOutOfRange,
+                       "INSERT of block " + name +
+                           ": blocks are nested more than 16 deep, or insert more than 500,000 entities and points");
+          return;
+        }
+        const Insertion insertion = outer.after(insertion_of(insert, *block->second, column, row));
+        for (const Entity& inner : block->second->entities) add(inner, insertion, depth + 1);
+      }
+    }
+  }
+
+  void pass_over(const std::string& what, const Entity& entity) { passed_over_.emplace(what, entity.line); }
+
   const DxfDrawing& drawing_;
   double unit_, tolerance_;
+  std::vector<Note>& notes_;
+  std::map<std::string_view, const Block*> blocks_;
+  std::map<std::string, std::size_t> passed_over_;  // what is not read -> the first line of it
+  std::size_t inserted_{};                          // entities and points of blocks so far
+  std::optional<Error> too_many_;
   std::vector<Run> runs_;
 };
 
@@ -80,13 +131,23 @@ Result<Style> read_plain(std::string_view text, const ReadingOptions& options) {
   Style style;
   const auto unit = settle_unit({}, drawing->insert_units, options.unit, style.notes);
   if (!unit) return unit.error();
-  Loops loops = joined(PlainReader{*drawing, *unit, options.tolerance}.read(), kReach);
+  auto runs = PlainReader{*drawing, *unit, options.tolerance, style.notes}.read();
+  if (!runs) return runs.error();
+  Loops loops = joined(*std::move(runs), kReach);
   std::vector<NestedLoop> outlines = nested(std::move(loops.closed));
-  if (outlines.empty()) return Error{ErrorCode::kUnknownFormat, "the DXF has no closed outline", ""};
+  if (outlines.empty()) {
+    return Error{ErrorCode::kUnknownFormat,
+                 "the DXF has no closed outline: none of its " + std::to_string(loops.open.size()) +
+                     " lines is closed, alone or joined to others",
+                 ""};
+  }
   std::vector<document::Annotations> open_lines(outlines.size());
   for (Run& open : loops.open) {
     const NestedLoop* const around = around_of(outlines, open.points);
-    if (!around) continue;
+    if (!around) {
+      style.notes.push_back(note_at(open.line, "an open line outside of all pieces left out"));
+      continue;
+    }
     open_lines[static_cast<std::size_t>(around - outlines.data())].lines.push_back(
         {document::LineKind::kInternal, false, std::move(open.points)});
   }

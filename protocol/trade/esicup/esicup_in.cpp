@@ -7,6 +7,7 @@
 #include "core/marker/marker.h"
 #include "protocol/document/frame.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/json/fields.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/esicup/esicup.h"
 #include "protocol/trade/style_marker.h"
@@ -16,16 +17,10 @@ namespace selvage::protocol::trade::esicup {
 namespace {
 
 struct LotPiece {
-  std::string polygon;
+  std::vector<Spot> outline;
   int quantity{};
   std::vector<double> angles;  // as ours
 };
-
-double number(const pugi::xml_node& node, const char* key) {
-  constexpr double kFarthest = 1e8;
-  const double value = number_in(trimmed(node.attribute(key).value())).value_or(0);
-  return std::clamp(value, -kFarthest, kFarthest);
-}
 
 std::vector<formats::Decimal> decimals(const std::vector<Spot>& points) {
   std::vector<formats::Decimal> out;
@@ -41,10 +36,12 @@ class NestingReader {
     read_polygons();
     if (const auto error = read_lot()) return *error;
     settle_board();
+    if (mistake_) return mistake_.error();
     style_.name = nesting_.child_value("name");
     style_.notes.push_back({"", options_.unit ? "unit: " + unit() + ", as asked for" : "the form states no unit: mm"});
     const pugi::xml_node solution = shortest_solution();
     auto file = solution ? placed(solution) : unplaced();
+    if (mistake_) return mistake_.error();
     if (file) file->marker.unit = unit();
     return file;
   }
@@ -54,11 +51,29 @@ class NestingReader {
     return options_.unit ? std::string{kUnitWords[static_cast<int>(*options_.unit)]} : "mm";
   }
 
+  // An attribute that is absent is 0.
+  double number(const pugi::xml_node& node, const char* key) {
+    constexpr double kFarthest = 1e8;
+    const pugi::xml_attribute attribute = node.attribute(key);
+    const auto value = attribute ? number_in(trimmed(attribute.value())) : 0.0;
+    if (value && std::abs(*value) <= kFarthest) return *value;
+    mistake_.add(ErrorCode::kSyntax,
+                 std::string{key} + " of <" + node.name() + "> is " +
+                     json::shortened(Json(printable(attribute.value()))) +
+                     " where a number is required, at most 1e8 in either direction",
+                 "");
+    return 0;
+  }
+
   void read_polygons() {
     for (const pugi::xml_node& polygon : nesting_.child("polygons").children("polygon")) {
       std::vector<Spot>& points = polygons_[polygon.attribute("id").value()];
       for (const pugi::xml_node& segment : polygon.child("lines").children("segment")) {
         points.push_back({number(segment, "x0"), -number(segment, "y0")});
+      }
+      if (polygon.child("lines").child("arc")) {
+        style_.notes.push_back({"", "polygon " + json::shortened(Json(polygon.attribute("id").value())) +
+                                        " has arcs, which are not read: straight edges lead over them"});
       }
     }
   }
@@ -67,10 +82,24 @@ class NestingReader {
     std::size_t all = 0;
     for (const pugi::xml_node& piece : nesting_.child("problem").child("lot").children("piece")) {
       const std::string id = piece.attribute("id").value();
-      LotPiece read{piece.child("component").attribute("idPolygon").value(), piece.attribute("quantity").as_int(1), {}};
-      const auto polygon = polygons_.find(read.polygon);
+      const pugi::xml_node component = piece.child("component");
+      const double quantity = piece.attribute("quantity") ? number(piece, "quantity") : 1;
+      if (quantity != std::floor(quantity)) {
+        mistake_.add(ErrorCode::kOutOfRange,
+                     "the quantity of piece " + json::shortened(Json(id)) + " is " + json::number_text(quantity) +
+                         " where a whole number is required",
+                     "");
+      }
+      LotPiece read{{}, static_cast<int>(quantity), {}};
+      const auto polygon = polygons_.find(component.attribute("idPolygon").value());
       if (polygon == polygons_.end() || polygon->second.size() < 3) {
         return Error{ErrorCode::kUnknownShape, "piece " + json::shortened(Json(id)) + " has no polygon", ""};
+      }
+      const Spot offset{number(component, "xOffset"), -number(component, "yOffset")};
+      for (const Spot& point : polygon->second) read.outline.push_back({point.x + offset.x, point.y + offset.y});
+      if (component.next_sibling("component")) {
+        style_.notes.push_back(
+            {"", "piece " + json::shortened(Json(id)) + " has several components; the first counts"});
       }
       for (const pugi::xml_node& angle : piece.child("orientation").children("enumeration")) {
         read.angles.push_back(std::fmod(360 - number(angle, "angle"), 360.0));
@@ -104,7 +133,7 @@ class NestingReader {
   }
 
   // The solution whose pieces reach least far, among those that place something.
-  [[nodiscard]] pugi::xml_node shortest_solution() const {
+  [[nodiscard]] pugi::xml_node shortest_solution() {
     pugi::xml_node best;
     double shortest = 0;
     for (const pugi::xml_node& solution : nesting_.child("solutions").children("solution")) {
@@ -114,7 +143,7 @@ class NestingReader {
         if (piece == lot_.end()) continue;
         const double angle = number(placement, "angle");
         const document::Frame frame{false, -angle, {number(placement, "x"), 0}};
-        for (const Spot& point : polygons_.at(piece->second.polygon)) length = std::max(length, frame.apply(point).x);
+        for (const Spot& point : piece->second.outline) length = std::max(length, frame.apply(point).x);
       }
       if (length > 0 && (!best || length < shortest)) {
         best = solution;
@@ -135,7 +164,7 @@ class NestingReader {
       shape.shape.id = id;
       shape.shape.rotations.clear();
       for (const double angle : piece.angles) shape.shape.rotations.push_back(Angle::of_degrees(angle));
-      shape.outline = decimals(polygons_.at(piece.polygon));
+      shape.outline = decimals(piece.outline);
       written.shapes.push_back(std::move(shape));
       attributes.shapes.push_back(Json::object());
     }
@@ -176,7 +205,7 @@ class NestingReader {
       PatternPiece pattern;
       pattern.name = id;
       pattern.quantity = {piece.quantity, 0};
-      pattern.outline = polygons_.at(piece.polygon);
+      pattern.outline = piece.outline;
       pattern.rotations = piece.angles;
       style_.pieces.push_back(std::move(pattern));
     }
@@ -192,6 +221,7 @@ class NestingReader {
   std::vector<std::string> order_;  // of the lot
   std::optional<double> board_;
   Style style_;
+  json::Mistake mistake_;
 };
 
 }  // namespace

@@ -44,6 +44,15 @@ TEST(CutIn, AnOutlineOfTwoRunsIsJoinedAndInnerCutsStay) {
   EXPECT_EQ(drawn.drills.size(), 1U);
 }
 
+TEST(CutIn, BlanksInWordsAndMarksOfTheTapeAreSkipped) {
+  const std::string text = "%\nG71*N1*M15*X 0 Y 0*M14*X 1000 Y0*\r\nX 1000 Y 500*X0 Y500*X0Y0*M15*M0*\n%";
+  const auto file = protocol::files::read_file(text);
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->marker.pieces.size(), 1U);
+  EXPECT_DOUBLE_EQ(test::extent_of(*file, file->marker.shapes.front().id).x, 100);
+  EXPECT_TRUE(test::has_note(*file, "by G71"));
+}
+
 TEST(CutOut, IsReadBackToATenthOfAMillimetre) {
   const MarkerFile file = read_example("polypattern_like.dxf");
   const auto text = protocol::files::write_marker(file, FileFormat::kCut);

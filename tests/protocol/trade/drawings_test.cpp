@@ -1,7 +1,9 @@
 // SVG, plain DXF and ESICUP in: curves, transforms, units.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,22 +17,13 @@ namespace {
 
 using protocol::files::read_file;
 using protocol::trade::ReadingOptions;
+using test::area_of;
 using test::extent_of;
-
-MarkerFile read(const std::string& text, const ReadingOptions& options = {}) {
-  auto file = read_file(text, options);
-  if (!file) throw std::runtime_error(file.error().message);
-  return *std::move(file);
-}
+using test::read;
 
 std::string svg(const std::string& content) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000mm\" height=\"800mm\" viewBox=\"0 0 1000 800\">" +
          content + "</svg>";
-}
-
-double area_of(const MarkerFile& file, std::size_t shape) {
-  const double unit = to_decimal(1, file.marker.resolution);
-  return static_cast<double>(geometry::doubled_area(file.marker.shapes[shape].outline)) / 2 * unit * unit;
 }
 
 // Of the area.
@@ -115,88 +108,76 @@ TEST(SvgIn, CutLineOutsideSewLineInsideHiddenLeftOut) {
   EXPECT_EQ(file.attributes.shapes[0]["material"], "fabric");
 }
 
+TEST(SvgIn, UsesAndSymbolsAreDrawnWhereTheyAreUsed) {
+  const MarkerFile file =
+      read(svg("<defs><path id='p' d='M0 0h50v30h-50z'/></defs><use href='#p' x='10'/>"
+               "<use xlink:href='#p' transform='translate(200 100) rotate(90)'/><use href='#gone'/>"
+               "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol>"
+               "<use href='#s' x='300' width='40' height='60'/>"
+               "<svg x='500' width='100' height='100' viewBox='0 0 10 10'><rect width='5' height='2'/></svg>"));
+  ASSERT_EQ(file.marker.shapes.size(), 4U);
+  std::vector<double> areas;
+  for (std::size_t k = 0; k < 4; ++k) areas.push_back(area_of(file, k));
+  std::sort(areas.begin(), areas.end());
+  EXPECT_NEAR(areas[0], 1000, 1e-6);
+  EXPECT_NEAR(areas[1], 1500, 1e-6);
+  EXPECT_NEAR(areas[2], 1500, 1e-6);
+  EXPECT_NEAR(areas[3], 1600, 1e-6);
+  EXPECT_TRUE(test::has_note(file, "<use> of \"#gone\" is not read"));
+}
+
+TEST(SvgIn, SmallMarksThatAreUsedOnAnEdgeBelongToTheirPiece) {
+  const MarkerFile file =
+      read(svg("<defs><g id='notch'><circle r='1.4'/></g></defs><rect width='100' height='50'/>"
+               "<use href='#notch' x='50' y='50'/><use href='#notch' x='20' y='20'/>"));
+  ASSERT_EQ(file.marker.shapes.size(), 1U);
+  EXPECT_EQ(protocol::document::annotations_of(file.attributes.shapes[0]).lines.size(), 2U);
+}
+
+TEST(SvgIn, UsesThatMultiplyAreRefused) {
+  std::string groups = "<defs><rect id='a0' width='1' height='1'/>";
+  for (int k = 1; k < 10; ++k) {
+    groups += "<g id='a" + std::to_string(k) + "'>";
+    for (int copy = 0; copy < 10; ++copy) groups += "<use href='#a" + std::to_string(k - 1) + "'/>";
+    groups += "</g>";
+  }
+  const auto file = read_file(svg(groups + "</defs><use href='#a9'/>"));
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().code, ErrorCode::kOutOfRange);
+  EXPECT_FALSE(read_file(svg("<g id='a'><use href='#a'/></g>"))) << "a group that uses itself";
+}
+
+TEST(SvgIn, LengthsHaveUnitsAndPixelsAreANinetySixthOfAnInch) {
+  const std::string pixels = "<svg width='960' height='960' viewBox='0 0 9600 9600'>";
+  const MarkerFile small = read(pixels + "<rect width='9600' height='960'/></svg>");
+  EXPECT_NEAR(extent_of(small, "piece").x, 254, 1e-5);
+  const MarkerFile lengths =
+      read("<svg width='254mm' height='254mm' viewBox='0 0 960 960'><rect width='100mm' height='2in'/></svg>");
+  EXPECT_NEAR(extent_of(lengths, "piece").x, 100, 1e-5);
+  EXPECT_NEAR(extent_of(lengths, "piece").y, 50.8, 1e-5);
+}
+
+TEST(SvgIn, RoundedRectanglesAreHeldWithinTheTolerance) {
+  const double area = area_of(read(svg("<rect width='100' height='50' rx='10'/>")), 0);
+  EXPECT_GE(area, 5000 - (4 - std::numbers::pi) * 100);
+  EXPECT_LE(area, 5000 - (4 - std::numbers::pi) * 100 + 0.05 * 2 * std::numbers::pi * 10);
+}
+
+TEST(SvgIn, WhatIsNotReadIsNoted) {
+  const MarkerFile file =
+      read(svg("<style>.guide { stroke: red; display: none }</style><rect class='guide' width='900' height='700'/>"
+               "<rect width='100' height='50'/><text x='5' y='5'>FRONT</text><path d='M500 500l9 9'/>"
+               "<g transform='rotate(12'><rect x='200' width='10' height='10'/></g>"));
+  EXPECT_EQ(file.marker.shapes.size(), 2U);
+  EXPECT_TRUE(test::has_note(file, "<text> is not read"));
+  EXPECT_TRUE(test::has_note(file, "1 open lines and marks outside of all pieces are left out"));
+  EXPECT_TRUE(test::has_note(file, "the transform \"rotate(12\" is not read"));
+}
+
 TEST(SvgIn, BrokenXmlIsRefused) {
   const auto file = read_file("<svg><path");
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, ErrorCode::kSyntax);
-}
-
-TEST(PlainDxf, ClosedOutlinesOfAnyLayerArePieces) {
-  const std::string text =
-      "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
-      "0\nLWPOLYLINE\n8\ncut\n90\n4\n70\n1\n10\n0\n20\n0\n10\n200\n20\n0\n42\n1\n10\n200\n20\n100\n10\n0\n20\n100\n"
-      "0\nCIRCLE\n8\nhole\n10\n50\n20\n50\n40\n10\n"
-      "0\nLINE\n8\n0\n10\n300\n20\n0\n11\n400\n21\n0\n0\nARC\n8\n0\n10\n350\n20\n0\n40\n50\n50\n0\n51\n180\n"
-      "0\nENDSEC\n0\nEOF\n";
-  ReadingOptions plain;
-  plain.plain = true;
-  const MarkerFile file = read(text, plain);
-  ASSERT_EQ(file.marker.shapes.size(), 2U);
-  EXPECT_NEAR(extent_of(file, "piece 1").x, 250, 0.06);  // a half circle of radius 50 at its end
-  EXPECT_GE(area_of(file, 0), 200 * 100 + 3.14159265 * 50 * 50 / 2);
-  EXPECT_NEAR(extent_of(file, "piece 2").y, 50, 0.06);
-  EXPECT_EQ(protocol::document::annotations_of(file.attributes.shapes[0]).lines.size(), 1U);
-}
-
-// A B-spline's basis function by its definition [Cox, de Boor].
-double basis(const std::vector<double>& knots, std::size_t k, std::size_t degree, double t) {
-  if (degree == 0) return knots[k] <= t && t < knots[k + 1] ? 1 : 0;
-  const auto part = [](double over, double under) { return under > 0 ? over / under : 0; };
-  return part(t - knots[k], knots[k + degree] - knots[k]) * basis(knots, k, degree - 1, t) +
-         part(knots[k + degree + 1] - t, knots[k + degree + 1] - knots[k + 1]) * basis(knots, k + 1, degree - 1, t);
-}
-
-struct ControlledSpline {
-  std::size_t degree;
-  std::vector<double> knots;
-  std::vector<std::pair<double, double>> controls;
-};
-
-// The area between a spline and the line that joins its ends.
-double area_below(const ControlledSpline& spline) {
-  constexpr int kSamples = 20'000;
-  double area = 0;
-  std::pair<double, double> last = spline.controls.front();
-  for (int k = 1; k <= kSamples; ++k) {
-    std::pair<double, double> at = spline.controls.back();
-    if (k < kSamples) {
-      at = {0, 0};
-      for (std::size_t i = 0; i < spline.controls.size(); ++i) {
-        const double weight = basis(spline.knots, i, spline.degree, static_cast<double>(k) / kSamples);
-        at.first += weight * spline.controls[i].first;
-        at.second += weight * spline.controls[i].second;
-      }
-    }
-    area += (at.first - last.first) * (at.second + last.second) / 2;
-    last = at;
-  }
-  return area;
-}
-
-TEST(PlainDxf, SplinesThatBulgeOutwardsAreHeld) {
-  const std::vector<ControlledSpline> splines{
-      {2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {200, 400}, {400, 0}}},
-      {2, {0, 0, 0, 0.3, 1, 1, 1}, {{0, 0}, {50, 200}, {300, 250}, {400, 0}}},
-      {3, {0, 0, 0, 0, 0.5, 1, 1, 1, 1}, {{0, 0}, {0, 200}, {200, 300}, {400, 200}, {400, 0}}},
-      {1, {0, 0, 0.5, 1, 1}, {{0, 0}, {200, 300}, {400, 0}}},
-  };
-  for (const ControlledSpline& spline : splines) {
-    std::string text =
-        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nSPLINE\n8\n0\n71\n" +
-        std::to_string(spline.degree) + "\n";
-    for (const double knot : spline.knots) text += "40\n" + std::to_string(knot) + "\n";
-    for (const auto& [x, y] : spline.controls) {
-      text += "10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";
-    }
-    text += "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n400\n21\n0\n0\nENDSEC\n0\nEOF\n";
-    ReadingOptions options;
-    options.tolerance = 1;
-    options.plain = true;
-    const double area = area_of(read(text, options), 0);
-    const double exact = area_below(spline);
-    EXPECT_GE(area, exact - 0.01) << spline.degree << ", " << spline.controls.size();
-    EXPECT_LE(area, exact + 1'000) << spline.degree << ", " << spline.controls.size();
-  }
 }
 
 TEST(EsicupIn, WithoutASolutionPiecesLieInColumns) {
@@ -213,6 +194,21 @@ TEST(EsicupIn, WithoutASolutionPiecesLieInColumns) {
   EXPECT_EQ(to_decimal(file.marker.strip.width, file.marker.resolution), 50);
   EXPECT_EQ(file.marker.shapes[0].rotations.size(), 2U);
   EXPECT_TRUE(is_valid(file.marker));
+}
+
+TEST(EsicupIn, NumbersAreCheckedAndComponentsMoved) {
+  const auto form = [](const std::string& x, const std::string& quantity) {
+    return "<nesting><name>n</name><problem><lot><piece id='A' quantity='" + quantity +
+           "'><component idPolygon='p' xOffset='7'/>"
+           "</piece></lot></problem><polygons><polygon id='p'><lines><segment x0='0' y0='0'/><segment x0='" +
+           x + "' y0='0'/><segment x0='0' y0='30'/></lines></polygon></polygons></nesting>";
+  };
+  EXPECT_NEAR(extent_of(read(form("50.5", "2")), "A").x, 50.5, 1e-6);
+  const auto comma = read_file(form("50,5", "2"));
+  ASSERT_FALSE(comma);
+  EXPECT_NE(comma.error().message.find("x0 of <segment> is \"50,5\""), std::string::npos) << comma.error().message;
+  EXPECT_FALSE(read_file(form("50", "two")));
+  EXPECT_FALSE(read_file(form("50", "1.5")));
 }
 
 TEST(RealDrawings, AreRead) {

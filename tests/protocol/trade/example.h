@@ -36,6 +36,13 @@ inline MarkerFile read_example(const std::string& name, const protocol::trade::R
   return *std::move(file);
 }
 
+// REQUIRES: the text can be read.
+inline MarkerFile read(const std::string& text, const protocol::trade::ReadingOptions& options = {}) {
+  auto file = protocol::files::read_file(text, options);
+  if (!file) throw std::runtime_error(file.error().field + ": " + file.error().message);
+  return *std::move(file);
+}
+
 inline bool has_note(const MarkerFile& file, const std::string& text) {
   for (const Note& note : file.notes) {
     if ((note.field + ": " + note.text).find(text) != std::string::npos) return true;
@@ -55,6 +62,12 @@ inline Extent extent_of(const MarkerFile& file, const std::string& shape) {
   }
   ADD_FAILURE() << "no shape " << shape;
   return {};
+}
+
+// In the marker's unit, squared.
+inline double area_of(const MarkerFile& file, std::size_t shape) {
+  const double unit = to_decimal(1, file.marker.resolution);
+  return static_cast<double>(geometry::doubled_area(file.marker.shapes[shape].outline)) / 2 * unit * unit;
 }
 
 inline std::size_t pieces_of(const MarkerFile& file, const std::string& shape) {
