@@ -41,16 +41,47 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-// Whether all bytes above 0x7f come in pairs that `suits` accepts.
-template <class Suits>
-bool all_pairs(std::string_view text, Suits suits) {
+struct BytePair {
+  unsigned char lead, trail;
+};
+
+// Whether all bytes above 0x7f come in pairs that `suits` accepts, at least half of which are `frequent` characters and
+// do not look like an accented letter within a Latin word, as the pair in "Pi\xe9ce" does.
+template <class Suits, class Frequent>
+bool mostly_pairs(std::string_view text, Suits suits, Frequent frequent) {
+  const auto letter = [&](std::size_t at) {
+    const unsigned char c = at < text.size() ? byte_at(text, at) | 0x20 : 0;
+    return c >= 'a' && c <= 'z';
+  };
+  std::size_t pairs = 0, likely = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (byte_at(text, at) < 0x80) continue;
-    if (at + 1 >= text.size() || !suits(byte_at(text, at), byte_at(text, at + 1))) return false;
+    if (at + 1 >= text.size()) return false;
+    const BytePair pair{byte_at(text, at), byte_at(text, at + 1)};
+    if (!suits(pair)) return false;
+    const bool behind = at > 0 && letter(at - 1), before = letter(at + 2);
+    const bool in_word = letter(at + 1) ? behind || before : behind && before && text[at + 2] >= 'a';
+    ++pairs;
+    if (frequent(pair) && !in_word) ++likely;
     ++at;
   }
-  return true;
+  return pairs > 0 && 2 * likely >= pairs;
 }
+
+struct KnownEncoding {
+  std::string_view name;
+  const char* converter;       // its name for iconv
+  std::string_view code_page;  // in DXF; empty where it does not decide
+};
+constexpr std::array<KnownEncoding, 9> kEncodings{{{"UTF-8", "UTF-8", ""},
+                                                   {"GBK", "GBK", "ANSI_936"},
+                                                   {"Big5", "BIG5", "ANSI_950"},
+                                                   {"Windows-1252", "CP1252", ""},
+                                                   {"Windows-1250", "CP1250", "ANSI_1250"},
+                                                   {"Windows-1251", "CP1251", "ANSI_1251"},
+                                                   {"Windows-1254", "CP1254", "ANSI_1254"},
+                                                   {"Shift JIS", "CP932", "ANSI_932"},
+                                                   {"Korean (949)", "CP949", "ANSI_949"}}};
 
 void append_utf8(std::string& out, unsigned code) {
   const auto put = [&](unsigned byte) { out += static_cast<char>(byte); };
@@ -147,31 +178,46 @@ std::string line_field(std::size_t line) {
 }
 
 std::string_view name_of(Encoding encoding) {
-  static constexpr std::array<std::string_view, 4> kNames{"UTF-8", "GBK", "Big5", "Latin-1"};
-  return kNames[static_cast<std::size_t>(encoding)];
+  return kEncodings[static_cast<std::size_t>(encoding)].name;
 }
 
 Encoding encoding_of(std::string_view bytes) {
-  if (is_utf8(bytes)) return Encoding::kUtf8;
-  const auto gb2312 = [](unsigned char a, unsigned char b) { return a >= 0xa1 && a <= 0xf7 && b >= 0xa1 && b <= 0xfe; };
-  const auto big5 = [](unsigned char a, unsigned char b) {
-    return a >= 0xa1 && a <= 0xf9 && ((b >= 0x40 && b <= 0x7e) || (b >= 0xa1 && b <= 0xfe));
+  const auto gb2312 = [](BytePair p) {
+    return ((p.lead >= 0xa1 && p.lead <= 0xa3) || (p.lead >= 0xb0 && p.lead <= 0xf7)) && p.trail >= 0xa1 &&
+           p.trail <= 0xfe;
   };
-  const auto gbk = [](unsigned char a, unsigned char b) {
-    return a >= 0x81 && a <= 0xfe && b >= 0x40 && b <= 0xfe && b != 0x7f;
+  const auto first_level = [](BytePair p) { return p.lead <= 0xd7; };
+  const auto big5 = [](BytePair p) {
+    return p.lead >= 0xa1 && p.lead <= 0xf9 &&
+           ((p.trail >= 0x40 && p.trail <= 0x7e) || (p.trail >= 0xa1 && p.trail <= 0xfe));
   };
-  if (all_pairs(bytes, gb2312)) return Encoding::kGbk;
-  if (all_pairs(bytes, big5)) return Encoding::kBig5;
-  if (all_pairs(bytes, gbk)) return Encoding::kGbk;
-  return Encoding::kLatin1;
+  const auto often_used = [](BytePair p) { return p.lead >= 0xa4 && p.lead <= 0xc6; };
+  const auto gbk = [](BytePair p) {
+    return p.lead >= 0x81 && p.lead <= 0xfe && p.trail >= 0x40 && p.trail <= 0xfe && p.trail != 0x7f;
+  };
+  // Some words of GB 2312, such as that for a front piece, are UTF-8 as well, of letters that are hardly ever written.
+  const auto hardly_utf8 = [](BytePair p) { return p.lead >= 0xc6 && p.lead <= 0xcd; };
+  if (is_utf8(bytes)) return mostly_pairs(bytes, gb2312, hardly_utf8) ? Encoding::kGbk : Encoding::kUtf8;
+  if (mostly_pairs(bytes, gb2312, first_level)) return Encoding::kGbk;
+  if (mostly_pairs(bytes, big5, often_used)) return Encoding::kBig5;
+  if (mostly_pairs(bytes, gbk, [](BytePair) { return true; })) return Encoding::kGbk;
+  return Encoding::kWestern;
+}
+
+Encoding encoding_of(std::string_view bytes, std::string_view code_page) {
+  if (is_utf8(bytes)) return encoding_of(bytes);
+  const auto stated = std::find_if(kEncodings.begin(), kEncodings.end(), [&](const KnownEncoding& known) {
+    return !code_page.empty() && known.code_page == code_page;
+  });
+  return stated == kEncodings.end() ? encoding_of(bytes) : static_cast<Encoding>(stated - kEncodings.begin());
 }
 
 std::string decoded(std::string_view bytes, Encoding encoding) {
   const bool ascii =
       std::all_of(bytes.begin(), bytes.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; });
   if (ascii || encoding == Encoding::kUtf8) return with_escapes_resolved(printable(bytes));
-  static constexpr std::array<const char*, 4> kConverters{"UTF-8", "GBK", "BIG5", "ISO-8859-1"};
-  return with_escapes_resolved(printable(converted(bytes, kConverters[static_cast<std::size_t>(encoding)])));
+  const char* const converter = kEncodings[static_cast<std::size_t>(encoding)].converter;
+  return with_escapes_resolved(printable(converted(bytes, converter)));
 }
 
 std::string printable(std::string_view bytes) {

@@ -31,13 +31,27 @@ class Lines {
 // The JSON pointer under which notes and errors name a line of a text file: "/line/12".
 [[nodiscard]] std::string line_field(std::size_t line);
 
-// The encodings in which names were found in pattern files.
-enum class Encoding { kUtf8, kGbk, kBig5, kLatin1 };
+// The encodings of names in pattern files.
+enum class Encoding {
+  kUtf8,
+  kGbk,
+  kBig5,
+  kWestern,  // Windows-1252, which contains Latin-1
+  kCentralEuropean,
+  kCyrillic,
+  kTurkish,
+  kJapanese,
+  kKorean
+};
 [[nodiscard]] std::string_view name_of(Encoding encoding);
-// The encoding of bytes without any other indication:  UTF-8 when they are valid as such.  Otherwise GBK when every
-// pair of bytes is a character of GB 2312, Big5 when every pair is one of Big5's frequent characters, GBK when it is
-// valid, and Latin-1 otherwise.
+// The encoding of bytes without any other indication: UTF-8 when they are valid as such, unless GBK is likelier.
+// Otherwise GBK when every pair of bytes is a character of GB 2312, Big5 when every pair is one of Big5, and GBK when
+// every pair is one of GBK; but Windows-1252 where most pairs are rare characters or look like an accented letter
+// within a word.
 [[nodiscard]] Encoding encoding_of(std::string_view bytes);
+// The same for a DXF file that states its code page, such as ANSI_936; the empty string states none.  ANSI_1252 is only
+// what many programs write by default, so the bytes decide.
+[[nodiscard]] Encoding encoding_of(std::string_view bytes, std::string_view code_page);
 // As UTF-8; what the encoding does not define becomes U+FFFD.  \U+XXXX, by which DXF writes characters, is resolved.
 [[nodiscard]] std::string decoded(std::string_view bytes, Encoding encoding);
 // For an error message, whatever the bytes are.

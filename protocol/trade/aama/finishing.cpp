@@ -48,6 +48,65 @@ Chain chain_on(const std::vector<Spot>& outline, const std::pair<Spot, Spot>& li
   return best;
 }
 
+// Joins the open runs over gaps of up to kWidestGap, the narrowest first.  The edge across a gap becomes a run of its
+// own, so that both ends remain vertices.
+void close_gaps(Loops& loops, std::vector<Note>& notes) {
+  constexpr std::size_t kMostRuns = 500;  // a drawing of more open lines is no boundary with gaps
+  if (loops.open.size() > kMostRuns) return;
+  struct Gap {
+    double width;
+    std::size_t from, to;  // ends: two of each run
+  };
+  std::vector<Spot> ends;
+  for (const Run& run : loops.open) ends.insert(ends.end(), {run.points.front(), run.points.back()});
+  std::vector<Gap> gaps;
+  for (std::size_t a = 0; a < ends.size(); ++a) {
+    for (std::size_t b = a + 1; b < ends.size(); ++b) {
+      const bool two_points = a / 2 == b / 2 && loops.open[a / 2].points.size() < 3;
+      if (const double width = distance(ends[a], ends[b]); width <= kWidestGap && !two_points)
+        gaps.push_back({width, a, b});
+    }
+  }
+  std::stable_sort(gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.width < b.width; });
+  std::vector<bool> joined_end(ends.size());
+  std::vector<Run> runs = loops.open;
+  for (const Gap& gap : gaps) {
+    if (joined_end[gap.from] || joined_end[gap.to]) continue;
+    joined_end[gap.from] = joined_end[gap.to] = true;
+    const std::size_t line = loops.open[gap.from / 2].line;
+    runs.push_back({{ends[gap.from], ends[gap.to]}, {}, false, line});
+    notes.push_back(note_at(line, "the boundary is open by " + shown(gap.width) + "; closed"));
+  }
+  Loops closed = joined(std::move(runs), 0);
+  loops.open = std::move(closed.open);
+  for (Loop& loop : closed.closed) {
+    loop.runs = 1;
+    loops.closed.push_back(std::move(loop));
+  }
+}
+
+// Drops vertices so near to their predecessor that rounding has made them: such a step may even lead back across the
+// outline.  Returns their number.
+std::size_t drop_near_vertices(std::vector<Spot>& outline) {
+  std::vector<Spot> kept;
+  for (const Spot& point : outline) {
+    if (kept.empty() || distance(kept.back(), point) > kReach) kept.push_back(point);
+  }
+  while (kept.size() > 1 && distance(kept.back(), kept.front()) <= kReach) kept.pop_back();
+  if (kept.size() < 3) return 0;
+  const std::size_t dropped = outline.size() - kept.size();
+  outline = std::move(kept);
+  return dropped;
+}
+
+void note_vertices(const Loop& loop, std::size_t count, const std::string& which, std::vector<Note>& notes) {
+  if (count == 0) return;
+  const bool behind = which != "repeated";
+  const std::string vertices = count == 1 ? "1 " : std::to_string(count) + " ";
+  const std::string noun = count == 1 ? "vertex" : "vertices";
+  notes.push_back(note_at(loop.line, vertices + (behind ? noun + " " + which : which + " " + noun) + " left out"));
+}
+
 // The annotations of both halves.
 void unfold_annotations(PatternBlock& block, const document::Frame& mirror, const std::pair<Spot, Spot>& line) {
   document::Annotations& own = block.annotations;
@@ -105,26 +164,23 @@ void scale(PatternBlock& block, double factor) {
 
 Result<std::vector<Spot>> boundary_of(const PatternBlock& block, std::vector<Note>& notes) {
   Loops loops = joined(block.boundary, kReach);
-  if (loops.closed.empty() && !loops.open.empty()) {
-    const auto longest = std::max_element(loops.open.begin(), loops.open.end(),
-                                          [](const Run& a, const Run& b) { return a.points.size() < b.points.size(); });
-    const double gap = distance(longest->points.front(), longest->points.back());
-    if (longest->points.size() > 2 && gap <= kWidestGap) {
-      notes.push_back(note_at(longest->line, "the boundary is open by " + shown(gap) + "; closed"));
-      loops.closed.push_back({longest->points, longest->edges, longest->line, 1});
-    } else {
-      return error_at(longest->line, ErrorCode::kTooFewVertices,
-                      "the boundary of block " + json::shortened(Json(block.name)) + " is not closed: its ends are " +
-                          shown(gap) + " apart; 1 mm is allowed");
-    }
+  if (!loops.open.empty()) close_gaps(loops, notes);
+  const auto smaller = [](const auto& a, const auto& b) {
+    return std::abs(doubled_area(a.points)) < std::abs(doubled_area(b.points));
+  };
+  const auto largest = std::max_element(loops.closed.begin(), loops.closed.end(), smaller);
+  const auto open = std::max_element(loops.open.begin(), loops.open.end(), smaller);
+  // A small closed line in an outline that does not close must not pass for the piece.
+  if (open != loops.open.end() && (largest == loops.closed.end() || smaller(*largest, *open))) {
+    return error_at(open->line, ErrorCode::kTooFewVertices,
+                    "the boundary of block " + json::shortened(Json(block.name)) + " is not closed: its ends are " +
+                        shown(distance(open->points.front(), open->points.back())) +
+                        " apart, and no other line ends within 1 mm, which is allowed");
   }
-  if (loops.closed.empty()) {
+  if (largest == loops.closed.end()) {
     return error_at(block.line, ErrorCode::kTooFewVertices,
                     "block " + json::shortened(Json(block.name)) + " has no boundary on layer 1");
   }
-  const auto largest = std::max_element(loops.closed.begin(), loops.closed.end(), [](const Loop& a, const Loop& b) {
-    return std::abs(doubled_area(a.points)) < std::abs(doubled_area(b.points));
-  });
   if (largest->runs > 1) {
     notes.push_back(note_at(largest->line, "the boundary is joined of " + std::to_string(largest->runs) + " runs"));
   }
@@ -132,13 +188,12 @@ Result<std::vector<Spot>> boundary_of(const PatternBlock& block, std::vector<Not
     notes.push_back(note_at(
         block.line, std::to_string(loops.closed.size()) + " closed boundaries in one block; the largest counts"));
   }
-  for (const Run& open : loops.open) notes.push_back(note_at(open.line, "an open line on the boundary layer left out"));
-  std::size_t dropped = 0;
+  for (const Run& left : loops.open) notes.push_back(note_at(left.line, "an open line on the boundary layer left out"));
+  std::size_t dropped = 0, near = 0;
   auto outline = without_repeats(containing_outline(*largest), dropped);
-  if (dropped > 0) {
-    notes.push_back(note_at(largest->line, dropped == 1 ? "1 repeated vertex left out"
-                                                        : std::to_string(dropped) + " repeated vertices left out"));
-  }
+  if (largest->edges.empty()) near = drop_near_vertices(outline);
+  note_vertices(*largest, dropped, "repeated", notes);
+  note_vertices(*largest, near, "within 0.01 mm of the one before", notes);
   return outline;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -90,7 +91,8 @@ std::optional<std::vector<Spot>> along(const std::vector<Spot>& points, bool clo
   return by;
 }
 
-// Moves points that lie on no line.
+// Moves points that lie on no line as the nearest point of the outline moves, so that a notch between two vertices
+// stays on its edge.
 class Mover {
  public:
   Mover(const std::vector<Spot>& outline, const std::vector<Spot>& by, const Movements& movements)
@@ -101,9 +103,20 @@ class Mover {
       spot = sum(spot, *own);
       return;
     }
-    const auto nearest = std::min_element(outline_.begin(), outline_.end(),
-                                          [&](Spot a, Spot b) { return distance(a, spot) < distance(b, spot); });
-    spot = sum(spot, by_[static_cast<std::size_t>(nearest - outline_.begin())]);
+    double nearest = std::numeric_limits<double>::infinity();
+    Spot by{};
+    for (std::size_t k = 0, count = outline_.size(); k < count; ++k) {
+      const Spot a = outline_[k], b = outline_[(k + 1) % count], along{b.x - a.x, b.y - a.y};
+      const double squared = along.x * along.x + along.y * along.y;
+      const double foot = ((spot.x - a.x) * along.x + (spot.y - a.y) * along.y) / squared;
+      const double part = squared > 0 ? std::clamp(foot, 0.0, 1.0) : 0;
+      const double far = distance(spot, {a.x + part * along.x, a.y + part * along.y});
+      if (far >= nearest) continue;
+      nearest = far;
+      const Spot from = by_[k], to = by_[(k + 1) % count];
+      by = {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)};
+    }
+    spot = sum(spot, by);
   }
 
  private:

@@ -65,7 +65,9 @@ class BlockReader {
     if (layer == kTurnPoints || layer == kCurvePoints) return true;
     if (layer >= kFirstCopy && layer <= kLastCopy) return true;  // copies of 1, 8, 11 and 14 for validation
     if (layer == 1) {
-      if (auto run = dxf::run_of(entity, reading_.tolerance)) block_.boundary.push_back(*std::move(run));
+      auto run = dxf::run_of(entity, reading_.tolerance);
+      if (!run) return point;
+      block_.boundary.push_back(*std::move(run));
       return true;
     }
     if (notch_kind(layer, 0)) return read_notch(entity, layer);
@@ -167,10 +169,26 @@ PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading) 
   return read;
 }
 
+bool enlarge_shallow_notches(std::vector<PatternBlock>& blocks) {
+  double deepest = 0;
+  for (const PatternBlock& block : blocks) {
+    for (const document::Notch& notch : block.annotations.notches) deepest = std::max(deepest, notch.depth);
+  }
+  if (deepest <= 0 || deepest >= 1) return false;
+  for (PatternBlock& block : blocks) {
+    for (document::Notch& notch : block.annotations.notches) {
+      notch.depth *= 10;
+      notch.width *= 10;
+    }
+  }
+  return true;
+}
+
 std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
   std::string key = in_capitals(trimmed(text.substr(0, colon)));
+  if (key == "UNIT") key = "UNITS";
   if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) return std::nullopt;
   return std::pair{std::move(key), std::string{trimmed(text.substr(colon + 1))}};
 }

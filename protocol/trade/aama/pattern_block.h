@@ -51,6 +51,10 @@ struct BlockReading {
 
 [[nodiscard]] PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading);
 
+// Depths of less than a millimetre in all blocks of a file are centimetres, because Browzwear writes them so.  Returns
+// whether there are such depths.  Units: millimetres.
+bool enlarge_shallow_notches(std::vector<PatternBlock>& blocks);
+
 // "Piece Name:  FRONT" as its key in capitals and its value; none if the text is not such a pair with a known key.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text);
 

@@ -2,7 +2,7 @@
 #include "protocol/trade/text.h"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <set>
 
 #include "protocol/document/frame.h"
@@ -29,7 +29,9 @@ class StyleReader {
     const auto unit = dxf::settle_unit(texts_, drawing_.insert_units, options_.unit, style_.notes);
     if (!unit) return unit.error();
     for (PatternBlock& block : blocks_) scale(block, *unit);
-    check_notches();
+    if (enlarge_shallow_notches(blocks_)) {
+      style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
+    }
     check_inserts();
     share_texts();
     if (const auto error = make_pieces(*unit)) return *error;
@@ -47,14 +49,12 @@ class StyleReader {
         if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
           continue;
         if (line == 0) line = entity.line;
-        bytes += text;
+        bytes.append(text).append("\n");
       }
     };
     look_at(drawing_.entities);
     for (const dxf::Block& block : drawing_.blocks) look_at(block.entities);
-    Encoding encoding = encoding_of(bytes);
-    if (encoding != Encoding::kUtf8 && drawing_.code_page == "ANSI_936") encoding = Encoding::kGbk;
-    if (encoding != Encoding::kUtf8 && drawing_.code_page == "ANSI_950") encoding = Encoding::kBig5;
+    const Encoding encoding = encoding_of(bytes, drawing_.code_page);
     reading_.encoding = encoding;
     reading_.tolerance = options_.tolerance;
     if (encoding != Encoding::kUtf8) {
@@ -70,6 +70,13 @@ class StyleReader {
     }
     style_.name = text_or_empty(texts_, "STYLE NAME");
     style_.sample_size = text_or_empty(texts_, "SAMPLE SIZE");
+    for (const dxf::Block& block : drawing_.blocks) {  // some writers state it in every block instead
+      for (const dxf::Entity& entity : block.entities) {
+        if (texts_.contains("UNITS")) break;
+        const auto pair = entity.type == "TEXT" ? key_and_value(entity.text(1)) : std::nullopt;
+        if (pair && pair->first == "UNITS") texts_.insert(*pair);
+      }
+    }
     for (const auto& [key, name] :
          {std::pair{"AUTHOR", "author"}, {"PRODUCT", "product"}, {"VERSION", "version"}, {"CREATION DATE", "date"}}) {
       if (const std::string& text = text_or_empty(texts_, key); !text.empty()) style_.attributes[name] = text;
@@ -97,24 +104,9 @@ class StyleReader {
             ""};
   }
 
-  // Depths of less than a millimetre in a file in millimetres are centimetres, because Browzwear writes them so.
-  void check_notches() {
-    double deepest = 0;
-    for (const PatternBlock& block : blocks_) {
-      for (const document::Notch& notch : block.annotations.notches) deepest = std::max(deepest, notch.depth);
-    }
-    if (deepest <= 0 || deepest >= 1) return;
-    for (PatternBlock& block : blocks_) {
-      for (document::Notch& notch : block.annotations.notches) {
-        notch.depth *= 10;
-        notch.width *= 10;
-      }
-    }
-    style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
-  }
-
   void check_inserts() {
-    std::set<std::string, std::less<>> known, inserted;
+    std::set<std::string, std::less<>> known;
+    std::map<std::string, int, std::less<>> inserted;
     for (const dxf::Block& block : drawing_.blocks) known.insert(decoded(block.name, reading_.encoding));
     for (const dxf::Entity& entity : drawing_.entities) {
       if (entity.type != "INSERT") continue;
@@ -123,13 +115,16 @@ class StyleReader {
         style_.notes.push_back(
             note_at(entity.line, "INSERT of block " + in_quotes(name) + ", which is not in the file"));
       }
-      inserted.insert(name);
+      ++inserted[name];
     }
     if (inserted.empty()) return;
     for (const PatternBlock& block : blocks_) {
-      if (inserted.contains(block.name)) continue;
-      style_.notes.push_back(
-          note_at(block.line, "block " + in_quotes(block.name) + " is never inserted; read all the same"));
+      const auto times = inserted.find(block.name);
+      if (times != inserted.end() && times->second == 1) continue;
+      const std::string what = times == inserted.end()
+                                   ? " is never inserted; read all the same"
+                                   : " is inserted " + std::to_string(times->second) + " times; its quantity counts";
+      style_.notes.push_back(note_at(block.line, "block " + in_quotes(block.name) + what));
     }
   }
 
@@ -217,7 +212,8 @@ class StyleReader {
   }
 
   [[nodiscard]] static double table_unit(const RuleTable& table, double unit) {
-    return table.units == "METRIC" ? 1 : table.units == "ENGLISH" ? in_millimetres(LengthUnit::kInch) : unit;
+    const auto said = dxf::unit_of_text(table.units);
+    return said ? in_millimetres(*said) : unit;
   }
 
   // A block in each size of the table.

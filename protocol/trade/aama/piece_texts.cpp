@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "protocol/json/json_text.h"
 #include "protocol/trade/text.h"
@@ -10,15 +12,66 @@
 namespace selvage::protocol::trade::aama {
 namespace {
 
-// "2", or "1,1": right and left.
-std::optional<Quantity> quantity_in(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  const auto right = whole_number_in(trimmed(std::string_view{text}.substr(0, comma)));
-  const auto left = comma == std::string::npos ? std::optional{0}
-                                               : whole_number_in(trimmed(std::string_view{text}.substr(comma + 1)));
-  const auto sensible = [](std::optional<int> n) { return n && *n >= 0 && *n <= kMostCopies; };
-  if (!sensible(right) || !sensible(left)) return std::nullopt;
-  return Quantity{*right, *left};
+// The words and numbers of a quantity, apart: "L1 R1" has four.  None when there is anything else.
+std::optional<std::vector<std::string>> tokens_of(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789.", kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ", kBetween = " \t,;/=:+";
+  const std::string capitals = in_capitals(text);
+  std::vector<std::string> tokens;
+  for (std::size_t at = 0; at < capitals.size();) {
+    if (kBetween.find(capitals[at]) != std::string_view::npos) {
+      ++at;
+      continue;
+    }
+    const std::string_view kind = kDigits.find(capitals[at]) != std::string_view::npos ? kDigits : kLetters;
+    const std::size_t end = std::min(capitals.find_first_not_of(kind, at), capitals.size());
+    if (end == at) return std::nullopt;
+    tokens.push_back(capitals.substr(at, end - at));
+    at = end;
+  }
+  return tokens;
+}
+
+struct SaidQuantity {
+  Quantity quantity;
+  bool sides{};  // it says which copies are mirrored
+};
+
+// "2", "1,1" (right and left), "L1 R1", "1 pair", "2 pcs".
+std::optional<SaidQuantity> quantity_in(std::string_view text) {
+  const auto tokens = tokens_of(text);
+  if (!tokens) return std::nullopt;
+  std::vector<int> numbers;
+  std::vector<std::string> words;
+  for (const std::string& token : *tokens) {
+    const auto number = number_in(token);
+    if (!number) {
+      words.push_back(token);
+    } else if (*number == std::floor(*number) && *number <= kMostCopies) {
+      numbers.push_back(static_cast<int>(*number));
+    } else {
+      return std::nullopt;
+    }
+  }
+  const auto all_of = [&](const std::set<std::string, std::less<>>& known) {
+    return !words.empty() &&
+           std::all_of(words.begin(), words.end(), [&](const auto& word) { return known.contains(word); });
+  };
+  if (words.empty() && numbers.size() == 1) return SaidQuantity{{numbers[0], 0}, false};
+  if (words.empty() && numbers.size() == 2) return SaidQuantity{{numbers[0], numbers[1]}, true};
+  if (words.size() == 1 && numbers.size() < 2 && all_of({"PAIR", "PAIRS"})) {
+    const int pairs = numbers.empty() ? 1 : numbers[0];
+    return SaidQuantity{{pairs, pairs}, true};
+  }
+  if (words.size() == 1 && numbers.size() == 1 && all_of({"X", "PC", "PCS", "PIECE", "PIECES"})) {
+    return SaidQuantity{{numbers[0], 0}, false};
+  }
+  if (words.size() != numbers.size() || words.size() > 2 || !all_of({"L", "LEFT", "R", "RIGHT"})) return std::nullopt;
+  if (words.size() == 2 && words[0].front() == words[1].front()) return std::nullopt;
+  SaidQuantity said{{0, 0}, true};
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    (words[k].front() == 'R' ? said.quantity.right : said.quantity.left) = numbers[k];
+  }
+  return said;
 }
 
 }  // namespace
@@ -49,12 +102,13 @@ PatternPiece described(const PatternBlock& block, const std::string& name, std::
   if (!said) {
     notes.push_back(note_at(block.line, "no quantity: 1"));
   } else if (!quantity) {
-    notes.push_back(note_at(block.line, "the quantity " + in_quotes(*said) + " is not understood: 1"));
-  } else if (quantity->right > 1 && said->find(',') == std::string::npos) {
+    notes.push_back(note_at(block.line, "the quantity " + in_quotes(*said) +
+                                            " is not understood: 1; a quantity is 2, 1,1, L1 R1 or 1 pair"));
+  } else if (quantity->quantity.right > 1 && !quantity->sides) {
     notes.push_back(note_at(
         block.line, "quantity " + *said + ": the file does not say whether some of them are mirrored; none is"));
   }
-  piece.quantity = quantity.value_or(Quantity{});
+  if (quantity) piece.quantity = quantity->quantity;
   return piece;
 }
 

@@ -31,6 +31,10 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
+bool is_comment(std::string_view line) {
+  return line.starts_with(';') || line.starts_with('#') || line.starts_with('*') || line.starts_with("//");
+}
+
 class TableReader {
  public:
   explicit TableReader(std::string_view text) : lines_{text}, encoding_{encoding_of(text)} {}
@@ -39,6 +43,7 @@ class TableReader {
     while (const auto line = lines_.next()) {
       const std::string_view text = trimmed(*line);
       if (in_capitals(text) == "END") break;
+      if (is_comment(text)) continue;
       if (const auto error = read_line(text)) return *error;
     }
     if (const auto error = finish_rule()) return *error;
@@ -90,7 +95,8 @@ class TableReader {
     for (const std::string_view word : words_of(text)) {
       const auto number = number_in(word);
       if (!number || std::abs(*number) > kFarthestMovement) {
-        return bad_rule(lines_.number(), json::shortened(Json(printable(word))) + " where a movement is required");
+        return bad_rule(lines_.number(), json::shortened(Json(printable(word))) +
+                                             " where a movement is required, a number of at most 1e5");
       }
       numbers_.push_back(*number);
     }

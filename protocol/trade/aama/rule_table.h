@@ -20,7 +20,7 @@ struct RuleTable {
   std::map<int, std::vector<Spot>> movements;  // by the rule's number: one per size, in the table's unit
 };
 
-// Numbers may be separated by commas, blanks and line ends.
+// Numbers may be separated by commas, blanks and line ends.  Lines that begin with ; # * or // are comments.
 // Errors: kUnknownFormat (no list of sizes), kSyntax (a rule without a number, or with too few or too many), with the
 // line.
 [[nodiscard]] Result<RuleTable> read_rule_table(std::string_view text);

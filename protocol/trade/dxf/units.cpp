@@ -11,15 +11,36 @@ std::string word(LengthUnit unit) {
   return std::string{kUnitWords[static_cast<int>(unit)]};
 }
 
-std::optional<LengthUnit> unit_of_text(const std::string& text) {
-  const std::string capitals = in_capitals(text);
-  if (capitals == "METRIC" || capitals == "MM") return LengthUnit::kMillimetre;
-  if (capitals == "ENGLISH" || capitals == "IMPERIAL" || capitals == "INCH") return LengthUnit::kInch;
-  if (capitals == "CM") return LengthUnit::kCentimetre;
+}  // namespace
+
+std::optional<LengthUnit> unit_of_text(std::string_view text) {
+  struct Known {
+    std::string_view word;
+    LengthUnit unit;
+  };
+  static constexpr Known kWords[] = {{"METRIC", LengthUnit::kMillimetre},
+                                     {"MM", LengthUnit::kMillimetre},
+                                     {"MILLIMETER", LengthUnit::kMillimetre},
+                                     {"MILLIMETERS", LengthUnit::kMillimetre},
+                                     {"MILLIMETRE", LengthUnit::kMillimetre},
+                                     {"MILLIMETRES", LengthUnit::kMillimetre},
+                                     {"CM", LengthUnit::kCentimetre},
+                                     {"CENTIMETER", LengthUnit::kCentimetre},
+                                     {"CENTIMETERS", LengthUnit::kCentimetre},
+                                     {"CENTIMETRE", LengthUnit::kCentimetre},
+                                     {"CENTIMETRES", LengthUnit::kCentimetre},
+                                     {"ENGLISH", LengthUnit::kInch},
+                                     {"IMPERIAL", LengthUnit::kInch},
+                                     {"INCH", LengthUnit::kInch},
+                                     {"INCHES", LengthUnit::kInch},
+                                     {"IN", LengthUnit::kInch}};
+  text = trimmed(text);
+  const std::string capitals = in_capitals(text.substr(0, text.find_first_of(" (")));  // "Metric (mm)"
+  for (const Known& known : kWords) {
+    if (capitals == known.word) return known.unit;
+  }
   return std::nullopt;
 }
-
-}  // namespace
 
 std::optional<LengthUnit> unit_of_insunits(int value) {
   switch (value) {
@@ -48,10 +69,9 @@ Result<double> settle_unit(const std::map<std::string, std::string>& texts, std:
   if (asked) return settle(*asked, ", as asked for");
   if (by_text) return settle(*by_text, ", since the file says Units: " + said->second);
   if (by_header) return settle(*by_header, ", by $INSUNITS");
-  return Error{
-      ErrorCode::kMissingField,
-      "the file does not say its unit (neither Units: nor $INSUNITS); one of mm, cm, m, in, ft, yd is required",
-      "/unit"};
+  const std::string why = said == texts.end() ? "the file does not say its unit (neither Units: nor $INSUNITS)"
+                                              : "the file's unit is not known: it says Units: " + said->second;
+  return Error{ErrorCode::kMissingField, why + "; one of mm, cm, m, in, ft, yd is required", "/unit"};
 }
 
 }  // namespace selvage::protocol::trade::dxf

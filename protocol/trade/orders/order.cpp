@@ -1,10 +1,9 @@
 #include "protocol/trade/orders/order.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <numeric>
+#include <optional>
 
 #include "protocol/json/fields.h"
 #include "protocol/trade/text.h"
@@ -109,58 +108,126 @@ class OrderReader {
   Order order_;
 };
 
+// The cells of a line; in quotes, separators count as text and "" is a quote.
 std::vector<std::string> cells_of(std::string_view line, char separator) {
-  std::vector<std::string> cells;
-  while (true) {
-    const std::size_t end = std::min(line.find(separator), line.size());
-    std::string_view cell = trimmed(line.substr(0, end));
-    if (cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"')) cell = cell.substr(1, cell.size() - 2);
-    cells.push_back(printable(cell));
-    if (end == line.size()) return cells;
-    line.remove_prefix(end + 1);
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const char c = line[at];
+    if (c == '"' && quoted && line.substr(at + 1, 1) == "\"") {
+      cells.back() += line[at++];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == separator && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += c;
+    }
   }
+  for (std::string& cell : cells) cell = std::string{trimmed(cell)};
+  return cells;
 }
 
-Result<Order> read_table(std::string_view text) {
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-  Lines lines{text};
-  const auto heading = lines.next();
-  const char separator = heading && heading->find(';') != std::string_view::npos ? ';' : ',';
-  const auto sizes = heading ? cells_of(*heading, separator) : std::vector<std::string>{};
-  if (sizes.size() < 2) {
-    return Error{ErrorCode::kMissingField, "the order's first line must name the sizes: colour,S,M,L", line_field(1)};
+// A number of garments as spreadsheets write it: 1200, 1,200, 1.200, 1 200, 1'200 or 1200.00; an empty cell is none.
+std::optional<int> garments_in(std::string cell) {
+  if (cell.empty()) return 0;
+  const std::size_t mark = cell.find_first_of(",.' ");
+  if (mark != std::string::npos && mark <= 3) {
+    const char grouping = cell[mark];
+    bool groups = true;  // of three digits after every mark
+    for (std::size_t at = mark; at < cell.size(); at += 4)
+      groups = groups && cell[at] == grouping && at + 4 <= cell.size();
+    if (groups) std::erase(cell, grouping);
   }
-  Order order;
-  Sums sums;
-  while (const auto line = lines.next()) {
-    if (trimmed(*line).empty()) continue;
-    const auto cells = cells_of(*line, separator);
-    if (cells.size() > sizes.size()) {
-      return error_at(lines.number(), ErrorCode::kSyntax, "more cells than the heading has");
-    }
-    for (std::size_t k = 1; k < cells.size(); ++k) {
-      int garments = 0;
-      const char* end = cells[k].data() + cells[k].size();
-      const bool whole = cells[k].empty() || std::from_chars(cells[k].data(), end, garments).ptr == end;
-      if (!whole || garments < 0 || garments > kMostGarments) {
-        return error_at(lines.number(), ErrorCode::kSyntax,
-                        json::shortened(Json(cells[k])) + " where a number of garments is required");
-      }
-      if (!cells[k].empty()) order.quantities.push_back({cells[0], sizes[k], garments});
-      add_to(sums, sizes[k], garments);
-    }
-  }
-  if (std::all_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second == 0; })) {
-    return Error{ErrorCode::kMissingField, "the order has no garments", ""};
-  }
-  settle_ratio(order, sums);
-  return order;
+  const auto number = number_in(cell);
+  if (!number || *number != std::floor(*number) || *number < 0 || *number > kMostGarments) return std::nullopt;
+  return static_cast<int>(*number);
 }
+
+class TableReader {
+ public:
+  explicit TableReader(std::string_view text) : lines_{text}, encoding_{encoding_of(text)} {}
+
+  Result<Order> read() {
+    const auto heading = lines_.next();
+    for (const char separator : {',', '\t', ';'}) {
+      if (heading && heading->find(separator) != std::string_view::npos) separator_ = separator;
+    }
+    if (heading) sizes_ = row(*heading);
+    while (sizes_.size() > 1 && (sizes_.back().empty() || is_sum(sizes_.back()))) {
+      if (!sizes_.back().empty()) {
+        order_.notes.push_back({line_field(1), "the column " + json::shortened(Json(sizes_.back())) + " is left out"});
+      }
+      sizes_.pop_back();
+      ++unread_columns_;
+    }
+    if (sizes_.size() < 2) {
+      return Error{ErrorCode::kMissingField, "the order's first line must name the sizes: colour,S,M,L", line_field(1)};
+    }
+    while (const auto line = lines_.next()) {
+      if (trimmed(*line).empty()) continue;
+      if (const auto error = read_row(row(*line))) return *error;
+    }
+    if (std::all_of(sums_.begin(), sums_.end(), [](const auto& sum) { return sum.second == 0; })) {
+      return Error{ErrorCode::kMissingField, "the order has no garments", ""};
+    }
+    settle_ratio(order_, sums_);
+    return std::move(order_);
+  }
+
+ private:
+  std::vector<std::string> row(std::string_view line) const {
+    auto cells = cells_of(line, separator_);
+    for (std::string& cell : cells) cell = decoded(cell, encoding_);
+    return cells;
+  }
+
+  // A row or column of sums, as spreadsheets have them.
+  static bool is_sum(const std::string& name) {
+    const std::string capitals = in_capitals(name);
+    return capitals == "TOTAL" || capitals == "TOTALS" || capitals == "SUM";
+  }
+
+  std::optional<Error> read_row(const std::vector<std::string>& cells) {
+    const auto filled =
+        std::find_if(cells.rbegin(), cells.rend(), [](const std::string& cell) { return !cell.empty(); });
+    const auto count = static_cast<std::size_t>(cells.rend() - filled);
+    if (count > sizes_.size() + unread_columns_) {
+      return error_at(lines_.number(), ErrorCode::kSyntax,
+                      std::to_string(count) + " cells; the heading has " + std::to_string(sizes_.size()));
+    }
+    if (is_sum(cells[0])) {
+      order_.notes.push_back({line_field(lines_.number()),
+                              json::shortened(Json(cells[0])) + " is taken as the sum of the rows; left out"});
+      return std::nullopt;
+    }
+    for (std::size_t k = 1; k < std::min(cells.size(), sizes_.size()); ++k) {
+      const auto garments = garments_in(cells[k]);
+      if (!garments) {
+        return error_at(lines_.number(), ErrorCode::kSyntax,
+                        json::shortened(Json(cells[k])) + " where a number of garments is required, from 0 to 1000000");
+      }
+      if (!cells[k].empty()) order_.quantities.push_back({cells[0], sizes_[k], *garments});
+      add_to(sums_, sizes_[k], *garments);
+    }
+    return std::nullopt;
+  }
+
+  Lines lines_;
+  Encoding encoding_;
+  char separator_{','};
+  std::vector<std::string> sizes_;  // the heading: the first is that of the colours
+  std::size_t unread_columns_{};    // behind the sizes: sums, or empty
+  Order order_;
+  Sums sums_;
+};
 
 }  // namespace
 
 Result<Order> read_order(std::string_view text) {
-  if (!trimmed(text.substr(0, 4096)).starts_with('{')) return read_table(text);
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (!trimmed(text.substr(0, 4096)).starts_with('{')) return TableReader{text}.read();
   const auto document = json::parse(text);
   if (!document) return document.error();
   return OrderReader{*document}.read();

@@ -51,6 +51,32 @@ TEST(Order, TableGivesTheRatioByItsGreatestCommonDivisor) {
   EXPECT_EQ(order->ratio, expected);
 }
 
+TEST(Order, TablesOfSpreadsheetsAreRead) {
+  for (const char* table : {"colour,S,M\nred,1200,20\n",
+                            "\xef\xbb\xbf"
+                            "colour;S;M\r\nred;1.200;20\r\n",
+                            "colour\tS\tM\nred\t1 200\t20.00\n", "colour,S,M,Total\n\"red, dark\",\"1,200\",20,1220\n",
+                            "colour,S,M,,\nred,1'000,15,,\nblue,200,5,,\nTOTAL,1200,20,,\n"}) {
+    const auto order = read_order(table);
+    ASSERT_TRUE(order) << table << order.error().message;
+    std::vector<std::pair<std::string, int>> sums{{"S", 0}, {"M", 0}};
+    for (const auto& quantity : order->quantities) sums[quantity.size == "M"].second += quantity.garments;
+    EXPECT_EQ(sums[0].second, 1200) << table;
+    EXPECT_EQ(sums[1].second, 20) << table;
+  }
+  EXPECT_EQ(read_order("Couleur;S\nfonc\xe9;3\n")->quantities.front().colour, "foncé");
+  EXPECT_TRUE(read_order("\xef\xbb\xbf{\"ratio\": {\"S\": 1}}")) << "a byte order mark before JSON";
+}
+
+TEST(Order, TablesWithMistakesAreRefused) {
+  for (const char* table : {"colour,S\nred,1.5\n", "colour,S\nred,-1\n", "colour,S\nred,12,3\n", "colour,S\nred,1,20\n",
+                            "colour,S\nred,2000000\n"}) {
+    const auto order = read_order(table);
+    ASSERT_FALSE(order) << table;
+    EXPECT_EQ(order.error().field, "/line/2") << table;
+  }
+}
+
 TEST(Order, MistakesNameTheirPlace) {
   EXPECT_EQ(read_order("{\"ratio\": {\"S\": 1.5}}").error().field, "/ratio/S");
   EXPECT_EQ(read_order("{\"ratios\": {}}").error().code, ErrorCode::kUnknownField);
