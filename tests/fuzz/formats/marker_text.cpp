@@ -8,12 +8,12 @@
 namespace selvage::test {
 
 void demand_sound_reading(std::string_view text, const std::function<Result<MarkerFile>(const Json&)>& read) {
-  const auto document = protocol::json::parse(text);
+  const auto document = within_a_second([&] { return protocol::json::parse(text); });
   demand(document || !document.error().message.empty(), "a text was rejected without an error message");
   if (!document) return;
   const auto again = protocol::json::parse(protocol::json::to_text(*document));
   demand(again && *again == *document, "JSON that was written does not read back");
-  const auto file = read(*document);
+  const auto file = within_a_second([&] { return read(*document); });
   if (!file) {
     demand(!file.error().message.empty(), "a document was rejected without an error message");
     return;

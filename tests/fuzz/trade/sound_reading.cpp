@@ -35,7 +35,7 @@ void demand_writable(const MarkerFile& file) {
 }  // namespace
 
 void demand_sound_file(std::string_view text, const protocol::trade::ReadingOptions& options) {
-  const auto file = protocol::files::read_file(text, options);
+  const auto file = within_a_second([&] { return protocol::files::read_file(text, options); });
   if (!file) {
     demand(!file.error().message.empty(), "a file was rejected without an error message");
     return;
