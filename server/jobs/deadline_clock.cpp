@@ -32,7 +32,7 @@ void DeadlineClock::remove(const Alarm::Key& key) {
 }
 
 void DeadlineClock::tick(const std::stop_token& stop) {
-  run_promptly(Promptness::kFirst);
+  run_promptly(Promptness::kAlarm);
   std::unique_lock lock{mutex_};
   while (!stop.stop_requested()) {
     const Time next = alarms_.empty() ? Time::max() : alarms_.begin()->first.first;

@@ -20,10 +20,12 @@ struct Urgency {
   std::uint32_t priority;    // in real time; the highest comes first
   milliseconds share;        // in real time, of RealTimeShare::kPeriod, on two processors or more
   std::uint64_t time_slice;  // outside it, in nanoseconds; Linux accepts none below 100,000
+  bool before_it_is_late{};  // in real time also with RealTime::kWhenLate
 };
 
 Urgency urgency_of(Promptness how) {
   switch (how) {
+    case Promptness::kAlarm: return {3, milliseconds{60}, 100'000, true};
     case Promptness::kFirst: return {3, milliseconds{60}, 100'000};
     case Promptness::kSoon: return {2, milliseconds{30}, 200'000};
     default: return {1, milliseconds{10}, 400'000};
@@ -78,14 +80,15 @@ void run_promptly(Promptness how) {
   set_real_time(false);
   own_urgency = urgency_of(how);
   change([](Scheduling& own) { own.runtime = own_urgency->time_slice; });
-  set_real_time(real_time_when == RealTime::kAlways);
+  const RealTime when = real_time_when;
+  set_real_time(when == RealTime::kAlways || (when == RealTime::kWhenLate && own_urgency->before_it_is_late));
 }
 
 void woke_up_after(std::chrono::steady_clock::duration waited) {
   if (real_time_when != RealTime::kWhenLate) return;
   const auto now = std::chrono::steady_clock::now();
   lateness_of_all.record(waited, now);
-  if (own_urgency) set_real_time(lateness_of_all.lately(now));
+  if (own_urgency) set_real_time(own_urgency->before_it_is_late || lateness_of_all.lately(now));
 }
 
 void give_way() {

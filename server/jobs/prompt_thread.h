@@ -6,6 +6,7 @@
 namespace selvage::server::jobs {
 
 enum class Promptness {
+  kAlarm,  // as kFirst, but it is woken by the kernel's clock instead of another thread
   kFirst,  // before all others: all clients wait for it
   kSoon,   // a quick read waits for it, which takes a fraction of a millisecond
   kNext,   // a quick change or an opening waits for it, which may take some milliseconds
@@ -13,7 +14,7 @@ enum class Promptness {
 
 enum class RealTime {
   kNever,
-  kWhenLate,  // for a second after any of these threads has woken up late (lateness.h)
+  kWhenLate,  // for a second after any of these threads has woken up late (lateness.h); with kAlarm always
   kAlways,
 };
 

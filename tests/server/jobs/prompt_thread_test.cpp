@@ -252,6 +252,14 @@ TEST_F(InRealTime, OnlyWhileAThreadWakesUpLateIfSoWished) {
   }}.join();
 }
 
+TEST_F(InRealTime, TheClockAlways) {
+  ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  std::promise<unsigned> on_time;
+  DeadlineClock clock;
+  const auto alarm = clock.at(clock.now(), [&] { on_time.set_value(real_time_priority()); });
+  EXPECT_EQ(on_time.get_future().get(), priority_of(Promptness::kAlarm));
+}
+
 TEST_F(InRealTime, AlwaysIfSoWished) {
   std::jthread{[] {
     run_promptly(Promptness::kSoon);
