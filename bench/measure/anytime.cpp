@@ -1,4 +1,6 @@
 #include <chrono>
+#include <cstdint>
+#include <limits>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -28,6 +30,15 @@ class WorkDeadline {
   std::jthread watch_;
 };
 
+// As `fine` runs with a deadline: it has no end of its own, and its steps share the time.
+search::RefineSettings until(double deadline) {
+  search::RefineSettings settings = search::refine_settings();
+  settings.effort = settings.least_effort = std::numeric_limits<std::uint64_t>::max();
+  settings.most_pieces_swapped = marker::kMaxPieces;
+  settings.elapsed = [deadline, start = own_time()] { return (own_time() - start) / deadline; };
+  return settings;
+}
+
 }  // namespace
 
 void anytime(const Paths& paths) {
@@ -35,13 +46,13 @@ void anytime(const Paths& paths) {
   for (const std::string& path : paths) {
     const Marker marker = marker_in(path);
     for (const bool fine : {false, true}) {
-      for (const int deadline : {5, 10, 20, 40, 60, 100, 200, 1000, 2000, 4000, 8000}) {
+      for (const int deadline : {5, 10, 20, 40, 60, 100, 200, 1000, 2000, 4000, 10000}) {
         const double start = own_time();
         SumCache sums;
         const WorkDeadline limit{static_cast<double>(deadline)};
         const motion::compaction::Compaction done =
             fine
-                ? *refine(marker, search::refine_settings(), {sums, limit.token()})
+                ? *refine(marker, until(deadline), {sums, limit.token()})
                 : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
         print_line(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start,
                    ratio_of(done), done.programs, marker::is_valid(done.marker));

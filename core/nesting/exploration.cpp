@@ -41,6 +41,7 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, std::uint64_t
       search_{set, seed, tuning.map_bytes, tuning.search},
       best_{std::move(best)},
       length_{length_of(best_)},
+      worth_{(1 - tuning.least_gain) * static_cast<double>(length_)},
       least_length_{least_length(set, best_)},
       step_{tuning.first_step} {}
 
@@ -137,6 +138,7 @@ bool Exploration::accept(const layout::Layout& layout) {
 bool Exploration::over() const {
   const std::uint64_t moves = search_.moves();
   if (budget_.over(moves)) return true;
+  if (moves >= tuning_.moves_in_vain && static_cast<double>(length_) >= worth_) return true;
   return end_ && length_ > end_->last && budget_.used(moves) >= end_->patience;
 }
 

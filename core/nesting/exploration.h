@@ -76,6 +76,7 @@ class Exploration {
   local_search::GuidedSearch search_;
   Marker best_;
   Coord length_;
+  double worth_;         // while the best is this long or longer, the search is in vain; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
   bool converged_{};

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "core/nesting/batches/batches.h"
 #include "core/nesting/filling/tuning.h"
@@ -22,6 +23,9 @@ struct NestTuning {
   double first_squeeze{5e-4};     // attempts that shorten the best layout by this part,
   double last_squeeze{1e-5};      // at the end by this one,
   std::size_t squeeze_patience{100}, squeeze_strikes{5};
+  // A search ends after so many moves when they have shortened the marker by no more than this part.
+  std::uint64_t moves_in_vain{std::numeric_limits<std::uint64_t>::max()};
+  double least_gain{0};
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
   // Part of the budget after which a search gives up bringing all pieces before the cloth's end, and rather chooses
   // which of them lie on it: when their area is less than the cloth's, and when it is not.

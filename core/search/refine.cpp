@@ -91,7 +91,9 @@ class Refiner {
   void nest(Found& straight, Effort& effort) {
     if (run_.stopped()) return;
     const RenestingTuning& tuning = settings_.tuning.renesting;
-    RenestingSettings nesting{.moves = tuning.moves * start_.pieces.size(), .seed = settings_.seed};
+    const std::uint64_t moves = tuning.moves * start_.pieces.size();
+    RenestingSettings nesting{
+        .moves = moves, .moves_in_vain = moves, .least_gain = tuning.least_gain, .seed = settings_.seed};
     if (settings_.elapsed) {
       nesting.moves = std::numeric_limits<std::uint64_t>::max();
       nesting.elapsed = [&, begin = settings_.elapsed()] {
@@ -104,8 +106,8 @@ class Refiner {
     const Renesting done = renest(straight, nesting, quiet_);
     best_.programs += done.programs;
     if (straight.length < best_.length_after) keep(straight.marker, straight.length);
-    const double moves = tuning.work_of_move * static_cast<double>(done.moves);
-    effort.spend(static_cast<std::uint64_t>(moves) + static_cast<std::uint64_t>(done.programs) * start_.pieces.size(),
+    const double work = tuning.work_of_move * static_cast<double>(done.moves);
+    effort.spend(static_cast<std::uint64_t>(work) + static_cast<std::uint64_t>(done.programs) * start_.pieces.size(),
                  best_.length_after);
     attempted();
   }

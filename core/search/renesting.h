@@ -11,6 +11,8 @@ namespace selvage::search {
 
 struct RenestingSettings {
   std::uint64_t moves{};
+  std::uint64_t moves_in_vain{};  // that end it when they have gained
+  double least_gain{};            // no more than this part of the length
   std::uint64_t seed{};
   std::function<double()> elapsed{};  // as of nesting; empty when only moves are limited
 };

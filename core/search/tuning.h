@@ -12,7 +12,7 @@ struct SwapTuning {
   unsigned jumps_one_in{2};       // of a piece that is matched to the cloth: one in this many moves it by a repeat
   std::size_t partners{8};        // partners of a piece that are drawn from: those that fit its place best
   double distance_weight{0.02};   // of the distance along the strip, relative to the difference of the boxes' sides
-  int separation_rounds{12};      // of separation after a swap
+  int separation_rounds{4};       // of separation after a swap: what takes longer hardly ever ends shorter
   double separation_growth{0.1};  // part of the width by which separation may lengthen the marker
   unsigned any_one_in{3};         // one trial in this many begins with any piece, the others with a critical one
   friend bool operator==(const SwapTuning&, const SwapTuning&) = default;
@@ -20,7 +20,8 @@ struct SwapTuning {
 
 struct RenestingTuning {
   std::uint64_t moves{100};  // of nesting, for each piece; with a limit in time there are as many as come before
-  double until{0.7};         // this part of it
+  double until{0.7};         // this part of it, as long as those have gained more
+  double least_gain{1e-5};   // than this part of the length: else swaps get its time
   double work_of_move{6};    // in pieces of a program, as effort counts
   friend bool operator==(const RenestingTuning&, const RenestingTuning&) = default;
 };
