@@ -37,7 +37,7 @@ class NestingReader {
     if (const auto error = read_lot()) return *error;
     settle_board();
     if (mistake_) return mistake_.error();
-    style_.name = nesting_.child_value("name");
+    style_.name = printable(nesting_.child_value("name"));
     style_.notes.push_back({"", options_.unit ? "unit: " + unit() + ", as asked for" : "the form states no unit: mm"});
     const pugi::xml_node solution = shortest_solution();
     auto file = solution ? placed(solution) : unplaced();
@@ -81,7 +81,7 @@ class NestingReader {
   std::optional<Error> read_lot() {
     std::size_t all = 0;
     for (const pugi::xml_node& piece : nesting_.child("problem").child("lot").children("piece")) {
-      const std::string id = piece.attribute("id").value();
+      const std::string id = printable(piece.attribute("id").value());
       const pugi::xml_node component = piece.child("component");
       const double quantity = piece.attribute("quantity") ? number(piece, "quantity") : 1;
       if (quantity != std::floor(quantity)) {
@@ -139,7 +139,7 @@ class NestingReader {
     for (const pugi::xml_node& solution : nesting_.child("solutions").children("solution")) {
       double length = 0;
       for (const pugi::xml_node& placement : solution.children("placement")) {
-        const auto piece = lot_.find(placement.attribute("idPiece").value());
+        const auto piece = lot_.find(printable(placement.attribute("idPiece").value()));
         if (piece == lot_.end()) continue;
         const double angle = number(placement, "angle");
         const document::Frame frame{false, -angle, {number(placement, "x"), 0}};
@@ -170,7 +170,7 @@ class NestingReader {
     }
     std::map<std::string, int> copies;
     for (const pugi::xml_node& placement : solution.children("placement")) {
-      const std::string id = placement.attribute("idPiece").value();
+      const std::string id = printable(placement.attribute("idPiece").value());
       if (!lot_.contains(id)) continue;
       formats::DecimalPiece piece;
       piece.shape = id;

@@ -191,8 +191,8 @@ class DrawingReader {
   }
 
   static std::string name_of(const pugi::xml_node& node) {
-    if (const auto label = node.attribute("inkscape:label")) return label.value();
-    std::string id = node.attribute("id").value();
+    if (const auto label = node.attribute("inkscape:label")) return printable(label.value());
+    const std::string id = printable(node.attribute("id").value());
     const std::size_t part = id.find("-part-");  // FreeSewing: fs-stack-NAME-part-NAME
     return part == std::string::npos ? id : id.substr(part + 6);
   }

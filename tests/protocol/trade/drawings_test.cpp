@@ -174,6 +174,11 @@ TEST(SvgIn, WhatIsNotReadIsNoted) {
   EXPECT_TRUE(test::has_note(file, "the transform \"rotate(12\" is not read"));
 }
 
+TEST(SvgIn, NamesThatAreNotUtf8AreMadeSo) {
+  const MarkerFile file = read(svg("<g id='A\xff'><rect width='100' height='50'/></g>"));
+  EXPECT_EQ(file.marker.shapes.front().id, "A\xef\xbf\xbd");
+}
+
 TEST(SvgIn, BrokenXmlIsRefused) {
   const auto file = read_file("<svg><path");
   ASSERT_FALSE(file);
