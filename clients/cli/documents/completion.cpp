@@ -151,8 +151,8 @@ std::string fish_script(const Program& program) {
     script += complete + "-n __fish_use_subcommand -f -a " + command.name + " -d " + quoted(command.summary) + "\n";
     if (const auto words = first_choices(command); !words.empty()) {
       const std::string unless_given = "; and not __fish_seen_subcommand_from " + joined(words) + "'";
-      script += complete + "-n '__fish_seen_subcommand_from " + command.name + unless_given + " -f -a '" +
-                joined(words) + "'\n";
+      script += complete + "-n '__fish_seen_subcommand_from " + command.name;
+      script += unless_given + " -f -a '" + joined(words) + "'\n";
     }
     for (const Option& option : options_of(program, command)) {
       script += of_command;

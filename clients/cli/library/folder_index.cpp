@@ -66,7 +66,9 @@ std::map<std::string, IndexedFile> read_index(const std::string& folder) {
   if (!own || !std::getline(in, line) || line != kHeading) return files;
   while (std::getline(in, line)) {
     auto indexed = read_line(line);
-    if (indexed && indexed->state.changed < own->changed) files.emplace(indexed->file, *std::move(indexed));
+    if (!indexed || indexed->state.changed >= own->changed) continue;
+    std::string file = indexed->file;
+    files.emplace(std::move(file), *std::move(indexed));
   }
   return files;
 }

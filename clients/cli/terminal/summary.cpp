@@ -195,8 +195,8 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
     const std::string& id = protrusion["piece"].text();
     const auto piece = std::ranges::find(marker.pieces, id, &Piece::id);
     const bool ruled = piece != marker.pieces.end() && piece->rules.own_room();
-    out += "  piece " + id + " leaves " + (ruled ? "the area that its rules allow" : "the strip") + " by " +
-           significant(protrusion["by"].number()) + unit + "\n";
+    out += "  piece " + id + (ruled ? " leaves the area that its rules allow by " : " leaves the strip by ");
+    out += significant(protrusion["by"].number()) + unit + "\n";
   }
   for (const Json& shade : validity.value("shades", Json::array())) {
     out += "  the pieces of shade " + shade["shade"].text() + ", from " + shade["leftmost"].text() + " to " +
