@@ -12,13 +12,13 @@
 #include <span>
 
 #include "core/motion/repair/motion_result.h"
-#include "core/outline/container.h"
+#include "core/outline/enclosed/container.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/branching/search.h"
 
 namespace selvage::packing {
 
-using outline::Container;
+using outline::enclosed::Container;
 
 struct ContainSettings {
   branching::WorkLimits limits{};

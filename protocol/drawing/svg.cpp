@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/outline/enclosed/slit.h"
 #include "protocol/drawing/label_spot.h"
 #include "protocol/drawing/palette.h"
 #include "protocol/drawing/svg_annotations.h"
@@ -123,6 +124,14 @@ Pieces pieces_of(const Marker& marker, const SvgOptions& options, double scale) 
   return pieces;
 }
 
+// A piece with open holes is drawn without their slits.
+std::string piece_path(const Polygon& outline, const View& view) {
+  const outline::enclosed::Rings rings = outline::enclosed::without_slits(outline);
+  std::string path = outline_path(rings.outline, view);
+  for (const Polygon& hole : rings.holes) path += outline_path({hole.rbegin(), hole.rend()}, view);
+  return path;
+}
+
 // The pieces that lie in the row, completely or partly.
 std::string draw_pieces(const Marker& marker, const SvgOptions& options, const Pieces& pieces, const View& view) {
   std::string out = "<g>\n";
@@ -131,7 +140,7 @@ std::string draw_pieces(const Marker& marker, const SvgOptions& options, const P
     if (piece.rules.zone || !view.shows(box_of(pieces.outlines[i]))) continue;
     const std::string kind = piece.locked ? "piece locked" : "piece";
     out += "<path class=\"" + kind + "\" fill=\"" + pieces.colours[piece.shape.value] + "\" d=\"" +
-           outline_path(pieces.outlines[i], view) + "\"><title>" + escaped(piece.id) + "</title></path>\n";
+           piece_path(pieces.outlines[i], view) + "\"><title>" + escaped(piece.id) + "</title></path>\n";
     if (piece.shape.value < options.annotations.size()) {
       out += annotations(options.annotations[piece.shape.value], marker, piece, pieces.outlines[i], view);
     }

@@ -7,6 +7,7 @@
 
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
+#include "core/outline/enclosed/slit.h"
 #include "core/outline/set_operations.h"
 #include "protocol/document/annotations.h"
 
@@ -21,6 +22,7 @@ class ClothMaker {
     set_strip(cloth);
     for (std::size_t k = 0; cloth.blocks && k < cloth.blocks->size() && !mistake_; ++k)
       make_blocks((*cloth.blocks)[k], "/blocks/" + std::to_string(k));
+    if (cloth.open_holes.value_or(false) && !mistake_) open_holes();
     for (std::size_t k = 0; cloth.piece_rules && k < cloth.piece_rules->size() && !mistake_; ++k)
       set_rules((*cloth.piece_rules)[k], "/pieceRules/" + std::to_string(k));
     if (cloth.shade && !mistake_) set_shade(*cloth.shade);
@@ -100,6 +102,37 @@ class ClothMaker {
     shape.outline = std::move(block->polygon);
     annotations.lines.push_back(std::move(drafted));
     attributes["annotations"] = document::annotations_json(annotations);
+  }
+  void open_holes() {
+    bool any = false;
+    for (std::size_t k = 0; k < file_.marker.shapes.size(); ++k) {
+      Shape& shape = file_.marker.shapes[k];
+      const std::vector<Polygon> holes = holes_of(file_.attributes.shapes[k]);
+      any = any || !holes.empty();
+      if (holes.empty() || is_of_zone(k) || !outline::enclosed::without_slits(shape.outline).holes.empty()) continue;
+      if (auto open = outline::enclosed::with_open_holes(shape.outline, holes)) {
+        shape.outline = *std::move(open);
+      } else {
+        file_.notes.push_back({"/openHoles", "the holes of " + json::shortened(Json(shape.id)) +
+                                                 " stay filled: they touch or cross the outline or each other, or are "
+                                                 "too small for the resolution"});
+      }
+    }
+    if (!any) file_.notes.push_back({"/openHoles", "no shape has a hole"});
+  }
+  [[nodiscard]] std::vector<Polygon> holes_of(const Json& attributes) const {
+    std::vector<Polygon> holes;
+    for (const document::DrawnLine& line : document::annotations_of(attributes).lines) {
+      if (line.kind != document::LineKind::kCutOut || !line.closed) continue;
+      const bool fit = std::all_of(line.points.begin(), line.points.end(), [this](const document::Spot& spot) {
+        return geometry::fits_lattice(spot.x, resolution()) && geometry::fits_lattice(spot.y, resolution());
+      });
+      std::vector<Vec> corners;
+      for (const document::Spot& spot : fit ? line.points : std::vector<document::Spot>{})
+        corners.push_back({to_lattice(spot.x, resolution()), to_lattice(spot.y, resolution())});
+      if (auto clean = clean_polygon(corners)) holes.push_back(std::move(clean->polygon));
+    }
+    return holes;
   }
   [[nodiscard]] bool is_of_zone(std::size_t shape) const {
     const auto& pieces = file_.marker.pieces;

@@ -84,7 +84,7 @@ struct Cloth {
   std::optional<formats::Decimal> repeat_phase{};
   std::optional<double> shade{};
   std::optional<ClothNap> nap_direction{};
-  std::optional<bool> tube{};
+  std::optional<bool> tube{}, open_holes{};
   std::optional<std::vector<ClothZone>> zones{};
   std::optional<std::vector<RulesOfPieces>> piece_rules{};
   std::optional<std::vector<BlocksOfShape>> blocks{};
@@ -104,6 +104,8 @@ struct Cloth {
     v.optional("napDirection", self.nap_direction,
                "How all pieces lie on cloth with a nap; with up_and_down, every second bundle lies down.");
     v.optional("tube", self.tube, "True: the cloth is a tube, whose upper edge is a fold like the lower one.");
+    v.optional("openHoles", self.open_holes,
+               "True: other pieces may lie in the holes of a piece, which are filled otherwise.");
     v.optional(
         "zones", self.zones,
         R"(Rectangles of the cloth that no piece, or only some pieces, may cover: [{"from": [X, Y], "to": [X, Y]}].)",
@@ -119,7 +121,8 @@ struct Cloth {
 };
 
 // The file with these rules.  A piece that lies against its nap is rotated about its middle if its shape allows that.
-// Notes report rotated pieces, and a shade without pieces.  Errors: those of make_marker; kBeyondLattice; kOutOfRange
+// Holes are the closed cut-outs among the annotations of a shape.  Notes report rotated pieces, a shade without pieces,
+// and holes that cannot be opened.  Errors: those of make_marker; kBeyondLattice; kOutOfRange
 // for a piece or shape that the marker does not have and for up_and_down where no piece has a bundle; `field` points
 // into the file or at the field of Cloth.
 [[nodiscard]] Result<MarkerFile> with_cloth(MarkerFile file, const Cloth& cloth);

@@ -123,7 +123,7 @@ class Editor {
     for (const Note& note : notes) file_.notes.push_back({at + note.field.substr(kWritten.size()), note.text});
     shapes_.emplace(id, static_cast<std::uint32_t>(file_.marker.shapes.size()));
     file_.marker.shapes.push_back(*std::move(shape));
-    file_.attributes.shapes.push_back(add.shape->attributes);
+    keep_holes(add.shape->shape, file_.attributes.shapes.emplace_back(add.shape->attributes));
     blame_.shapes.push_back(edit_);
   }
 

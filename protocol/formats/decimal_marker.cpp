@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/outline/narrow.h"
+#include "protocol/document/annotations.h"
 
 namespace selvage::protocol::formats {
 namespace {
@@ -177,13 +178,25 @@ Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, R
   auto clean = clean_polygon(vertices);
   if (!clean) return json::within(at, clean.error());
   note_repairs(notes, at, clean->repairs);
-  if (written.holes) {
-    notes.push_back(
-        {indexed("/shapes/", index, "/holes"), count_of(written.holes, "hole is", "holes are") + " treated as filled"});
+  if (const std::size_t holes = written.holes.size()) {
+    notes.push_back({indexed("/shapes/", index, "/holes"), count_of(holes, "hole is", "holes are") +
+                                                               " treated as filled, and kept as " +
+                                                               (holes == 1 ? "a cut-out" : "cut-outs")});
   }
   Shape shape = written.shape;
   shape.outline = std::move(clean->polygon);
   return shape;
+}
+
+void keep_holes(const DecimalShape& shape, Json& attributes) {
+  if (shape.holes.empty()) return;
+  document::Annotations annotations = document::annotations_of(attributes);
+  for (const std::vector<Decimal>& hole : shape.holes) {
+    document::DrawnLine cut_out{document::LineKind::kCutOut, true, {}};
+    for (const Decimal& corner : hole) cut_out.points.push_back({corner.x, corner.y});
+    if (cut_out.points.size() > 2) annotations.lines.push_back(std::move(cut_out));
+  }
+  attributes["annotations"] = document::annotations_json(annotations);
 }
 
 namespace {
@@ -249,6 +262,7 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
     auto shape = shape_on_lattice(written.shapes[i], i, *resolution, file.notes);
     if (!shape) return shape.error();
     marker.shapes.push_back(*std::move(shape));
+    keep_holes(written.shapes[i], file.attributes.shapes[i]);
   }
   const auto piece_on_lattice = [&](const DecimalPiece& decimal) {
     Piece piece = decimal.piece;

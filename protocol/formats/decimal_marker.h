@@ -20,7 +20,8 @@ namespace selvage::protocol::formats {
 struct DecimalShape {
   Shape shape;  // all but the outline
   std::vector<Decimal> outline;
-  std::size_t holes{};  // ignored, because a piece is treated as filled
+  // A piece is filled; its holes are kept among its annotations, as cut-outs.
+  std::vector<std::vector<Decimal>> holes;
 };
 
 struct DecimalPiece {
@@ -58,6 +59,9 @@ inline constexpr double kFarthest = 1e5;
 // Errors: those of clean_polygon, below "/shapes/<index>/outline".
 [[nodiscard]] Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,
                                              std::vector<Note>& notes);
+
+// Adds the holes of the shape to the annotations among its attributes, as closed cut-outs.
+void keep_holes(const DecimalShape& shape, Json& attributes);
 
 // The elements of an array of [x, y]; anything else is a mistake.
 [[nodiscard]] std::vector<Decimal> read_points(const Json& array, const std::string& at, json::Mistake& mistake);

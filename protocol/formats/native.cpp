@@ -43,9 +43,8 @@ DecimalShape read_shape(const Json& value, const std::string& at, json::Mistake&
   if (const Json* holes = fields.maybe_array("holes")) {
     for (const Json& hole : *holes) {
       if (mistake) break;
-      // Holes are read only in order to report mistakes in them; a piece is treated as filled.
-      (void)read_points(hole, fields.pointer("holes") + "/" + std::to_string(shape.holes), mistake);
-      ++shape.holes;
+      const std::string hole_at = fields.pointer("holes") + "/" + std::to_string(shape.holes.size());
+      shape.holes.push_back(read_points(hole, hole_at, mistake));
     }
   }
   shape.shape.rotations = read_rotations(fields, mistake);

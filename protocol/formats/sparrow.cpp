@@ -76,7 +76,13 @@ void read_outline(const Json& value, const std::string& at, DecimalShape& shape,
   } else if (type == "polygon") {
     json::Fields polygon{fields.object("data"), fields.pointer("data"), reading.mistake};
     shape.outline = read_points(polygon.array("outer"), polygon.pointer("outer"), reading.mistake);
-    if (const Json* inner = polygon.maybe_array("inner")) shape.holes = inner->size();
+    if (const Json* inner = polygon.maybe_array("inner")) {
+      for (const Json& hole : *inner) {
+        if (reading.mistake) break;
+        const std::string hole_at = polygon.pointer("inner") + "/" + std::to_string(shape.holes.size());
+        shape.holes.push_back(read_points(hole, hole_at, reading.mistake));
+      }
+    }
   } else {
     reading.mistake.add(ErrorCode::kOutOfRange,
                         json::shortened(Json(type)) + " is not read; one of simple_polygon, polygon is allowed",

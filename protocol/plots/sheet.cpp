@@ -1,8 +1,10 @@
 #include "protocol/plots/sheet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/outline/enclosed/slit.h"
 #include "protocol/document/frame.h"
 
 namespace selvage::protocol::plots {
@@ -39,6 +41,15 @@ document::Annotations scaled(document::Annotations annotations, double factor) {
   return annotations;
 }
 
+// Adds open holes as cut-outs, unless the piece has cut-outs already, of which the holes were made.
+void add_cut_outs(document::Annotations& annotations, const std::vector<std::vector<Spot>>& holes) {
+  const bool has_cut_outs = std::any_of(
+      annotations.lines.begin(), annotations.lines.end(),
+      [](const document::DrawnLine& line) { return line.kind == document::LineKind::kCutOut && line.closed; });
+  if (has_cut_outs) return;
+  for (const std::vector<Spot>& hole : holes) annotations.lines.push_back({document::LineKind::kCutOut, true, hole});
+}
+
 }  // namespace
 
 double millimetres_in(const std::string& unit) {
@@ -59,6 +70,11 @@ Sheet sheet_of(const MarkerFile& file) {
   const double unit = millimetres_in(marker.unit);
   const auto decimal = [&](Coord coord) { return to_decimal(coord, marker.resolution) * unit; };
   Sheet sheet{marker.name, decimal(marker.strip.width), decimal(length_of(marker)), utilisation_of(marker), {}};
+  const auto spots = [&](const Polygon& polygon) {
+    std::vector<Spot> list;
+    for (const Vec vertex : polygon) list.push_back({decimal(vertex.x), decimal(vertex.y)});
+    return list;
+  };
   std::vector<document::Annotations> of_shapes;
   for (const Json& attributes : file.attributes.shapes) {
     of_shapes.push_back(scaled(document::annotations_of(attributes), unit));
@@ -67,14 +83,17 @@ Sheet sheet_of(const MarkerFile& file) {
     const Piece& piece = marker.pieces[k];
     if (piece.rules.zone) continue;  // nothing to cut
     SheetPiece placed{piece.id, label_of(piece, file.attributes.pieces[k]), {}, {}};
-    for (const Vec vertex : placed_outline(marker, PieceId{k}))
-      placed.outline.push_back({decimal(vertex.x), decimal(vertex.y)});
+    const outline::enclosed::Rings rings = outline::enclosed::without_slits(placed_outline(marker, PieceId{k}));
+    placed.outline = spots(rings.outline);
     const document::Annotations& annotations = of_shapes[piece.shape.value];
     if (!annotations.empty()) {
       const Orientation& o = piece.orientation;
       placed.annotations = document::placed(
           annotations, {o.flip, o.rotation.degrees + o.tilt.degrees, {decimal(piece.at.x), decimal(piece.at.y)}});
     }
+    std::vector<std::vector<Spot>> holes;
+    for (const Polygon& hole : rings.holes) holes.push_back(spots(hole));
+    add_cut_outs(placed.annotations, holes);
     sheet.pieces.push_back(std::move(placed));
   }
   return sheet;

@@ -16,9 +16,9 @@ using document::Spot;
 
 struct SheetPiece {
   std::string id;
-  std::string label;          // for people: id, size and bundle
-  std::vector<Spot> outline;  // counter-clockwise
-  document::Annotations annotations;
+  std::string label;                  // for people: id, size and bundle
+  std::vector<Spot> outline;          // counter-clockwise, without the slits of open holes
+  document::Annotations annotations;  // among them the open holes, as cut-outs
 };
 
 struct Sheet {

@@ -38,6 +38,20 @@ class Nest(CliTest):
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertEqual(json.loads(ran.stdout)["placed"], 40)
 
+    def test_pieces_lie_in_holes_that_are_open(self):
+        def box(low, high):
+            return [[low, low], [high, low], [high, high], [low, high]]
+        document = squares()
+        document["strip"] = {"width": 100}
+        document["shapes"] = [{"id": "frame", "outline": box(0, 100), "holes": [box(20, 80)]},
+                              {"id": "square", "outline": box(0, 50)}]
+        document["unplaced"] = [{"id": name, "shape": shape} for name, shape in (("f", "frame"), ("s", "square"))]
+        for options, length in (([], 150), (["--open-holes"], 100)):
+            ran = run("nest", self.write(document), "--moves", 200, *options, "-o", self.path("out.json"), "--json")
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            self.assertEqual(json.loads(ran.stdout)["length_after"], length)
+            self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+
     def test_ctrl_c_keeps_the_best(self):
         process = subprocess.Popen([SELVAGE, "nest", self.write(self.instance()), "--moves", "1000000000000",
                                     "-o", self.path("out.json")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

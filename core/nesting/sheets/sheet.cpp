@@ -6,7 +6,7 @@
 
 #include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
-#include "core/outline/container.h"
+#include "core/outline/enclosed/container.h"
 
 namespace selvage::nesting::sheets {
 namespace {
@@ -71,7 +71,7 @@ Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
   if (sheet.plain()) return result;
   result.spacing = 0;
   if (sheet.outline) {
-    const outline::Container container{*sheet.outline};
+    const outline::enclosed::Container container{*sheet.outline};
     for (const Polygon& wall : container.walls) {
       add_wall(result, wall, "wall " + std::to_string(result.pieces.size() + 1) + " of the sheet");
     }

@@ -2,10 +2,10 @@
 // holes and faults that no piece may cover.
 //
 // What pieces must not cover is made of locked pieces: the walls between an outline and its bounding box
-// (core/outline/container.h), and the holes.  So one proof decides whether a position is allowed, as everywhere.  Walls
-// touch each other, hence they must keep no spacing: on a sheet with walls or holes, the marker's spacing is
-// divided into the pieces' buffers.  Pieces then keep their buffers, or half of the spacing, from walls and holes.
-// Units: lattice units; the origin is the low corner of the sheet's bounding box.
+// (core/outline/enclosed/container.h), and the holes.  So one proof decides whether a position is allowed, as
+// everywhere.  Walls touch each other, hence they must keep no spacing: on a sheet with walls or holes, the marker's
+// spacing is divided into the pieces' buffers.  Pieces then keep their buffers, or half of the spacing, from walls and
+// holes. Units: lattice units; the origin is the low corner of the sheet's bounding box.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/marker/marker.h"
-#include "core/outline/container.h"
+#include "core/outline/enclosed/container.h"
 #include "core/packing/branching/problem.h"
 #include "core/packing/branching/subtree.h"
 #include "core/scene/run.h"
@@ -19,10 +19,11 @@ namespace selvage::packing::bodies {
 
 // What a search may change.
 struct Freedom {
-  std::vector<bool> moving;      // by piece; pieces of a group move only together
-  outline::Container container;  // in which moving pieces stay, besides their rooms on the strip (core/marker/rules.h)
-  bool turns{};                  // pieces may take other orientations that their shapes allow
-  Coord clearance{};             // of moving pieces from the container's walls and from the ends of their rooms
+  std::vector<bool> moving;  // by piece; pieces of a group move only together
+  outline::enclosed::Container
+      container;      // in which moving pieces stay, besides their rooms on the strip (core/marker/rules.h)
+  bool turns{};       // pieces may take other orientations that their shapes allow
+  Coord clearance{};  // of moving pieces from the container's walls and from the ends of their rooms
 };
 
 // A body's pieces in one variant: the orientation of each, and its position when the body's is the origin.

@@ -194,7 +194,7 @@ bool is_proved(const Marker& marker, const Bodies& bodies, const Freedom& freedo
   const marker::PlacedPieces pieces{marker};
   std::vector<std::uint32_t> changed;
   for (const auto& body : bodies.pieces) changed.insert(changed.end(), body.begin(), body.end());
-  const outline::Container& container = freedom.container;
+  const outline::enclosed::Container& container = freedom.container;
   for (const std::uint32_t piece : changed) {
     if (!container.box.contains(pieces.box(piece)) || protrusion_of(pieces, piece, marker.strip) > 0) return false;
     if (!has_clearance(pieces, piece, marker, freedom.clearance)) return false;

@@ -160,6 +160,36 @@ TEST(Cloth, BlocksAreWidenedOnTheirSides) {
   EXPECT_EQ(refused(cloth, file), "/blocks/0/shape");
 }
 
+// A frame with a hole, and one that is filled because its hole touches the outline.
+MarkerFile frames() {
+  return test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "", "strip": {"width": 100},
+    "shapes": [{"id": "frame", "outline": [[0, 0], [100, 0], [100, 100], [0, 100]],
+                "holes": [[[20, 20], [80, 20], [80, 80], [20, 80]]]},
+               {"id": "touched", "outline": [[0, 0], [100, 0], [100, 100], [0, 100]],
+                "holes": [[[0, 20], [80, 20], [80, 80]]]},
+               {"id": "square", "outline": [[0, 0], [50, 0], [50, 50], [0, 50]]}],
+    "pieces": [{"id": "f", "shape": "frame", "at": [0, 0]}, {"id": "s", "shape": "square", "at": [25, 25]},
+               {"id": "t", "shape": "touched", "at": [100, 0]}]})"));
+}
+
+TEST(Cloth, HolesAreFilledUnlessTheyAreOpen) {
+  EXPECT_EQ(frames().marker.shapes[0].outline.size(), 4U);
+  EXPECT_FALSE(is_valid(frames().marker));
+  EXPECT_EQ(with({.open_holes = false}, frames()).marker, frames().marker);
+  const MarkerFile open = with({.open_holes = true}, frames());
+  EXPECT_TRUE(is_valid(open.marker));
+  EXPECT_EQ(open.marker.shapes[0].outline.size(), 10U);
+  EXPECT_EQ(open.marker.shapes[1].outline.size(), 4U);
+  ASSERT_EQ(open.notes.size(), frames().notes.size() + 1);
+  EXPECT_EQ(open.notes.back().field, "/openHoles");
+  EXPECT_EQ(with({.open_holes = true}, open).marker, open.marker);
+}
+
+TEST(Cloth, OpenHolesAreNotedWhereThereAreNone) {
+  EXPECT_EQ(with({.open_holes = true}).notes.back().text, "no shape has a hole");
+}
+
 TEST(Cloth, MarginsThatLeaveNothingAreRefused) {
   EXPECT_EQ(refused({.margin_below = 60, .margin_above = 60}), "/strip/above");
 }

@@ -285,7 +285,7 @@ TEST(Native, RepairsOutlinesAndReportsIt) {
   const std::vector<Note> expected{{"/shapes/0/outline", "1 repeated vertex left out"},
                                    {"/shapes/0/outline", "1 vertex on a straight edge left out"},
                                    {"/shapes/0/outline", "clockwise; turned round"},
-                                   {"/shapes/0/holes", "1 hole is treated as filled"}};
+                                   {"/shapes/0/holes", "1 hole is treated as filled, and kept as a cut-out"}};
   EXPECT_EQ(file.notes, expected);
 }
 

@@ -184,7 +184,7 @@ TEST(Sparrow, ReadsPolygonsWithHolesAsFilled) {
   const MarkerFile file = test::read(document);
   EXPECT_EQ(file.marker.shapes[0].outline.size(), 4u);
   const std::vector<Note> expected{{"/items/0/shape/data/outer", "clockwise; turned round"},
-                                   {"/items/0/shape/data/inner", "1 hole is treated as filled"}};
+                                   {"/items/0/shape/data/inner", "1 hole is treated as filled, and kept as a cut-out"}};
   EXPECT_EQ(file.notes, expected);
 }
 

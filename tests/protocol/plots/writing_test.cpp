@@ -7,6 +7,7 @@
 
 #include "core/marker/validity.h"
 #include "protocol/document/annotations.h"
+#include "protocol/edits/cloth.h"
 #include "protocol/files/writing.h"
 #include "tests/protocol/formats/samples.h"
 #include "tests/protocol/trade/example.h"
@@ -87,6 +88,28 @@ TEST(Writing, ZonesAreLeftOut) {
   for (const FileFormat format :
        {FileFormat::kDxf, FileFormat::kHpgl, FileFormat::kCut, FileFormat::kPdf, FileFormat::kEsicup}) {
     EXPECT_EQ(written(flawed, format), written(file, format));
+  }
+}
+
+// A square with a square hole, which is open.
+MarkerFile open_frame(bool with_cut_outs) {
+  MarkerFile file = test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "", "strip": {"width": 200},
+    "shapes": [{"id": "frame", "outline": [[0, 0], [100, 0], [100, 100], [0, 100]],
+                "holes": [[[20, 20], [80, 20], [80, 80], [20, 80]]], "rotations": [30]}],
+    "pieces": [{"id": "f", "shape": "frame", "at": [60, 0], "rotation": 30}]})"));
+  auto open = protocol::edits::with_cloth(std::move(file), {.open_holes = true});
+  if (!open) throw std::runtime_error(open.error().message);
+  if (!with_cut_outs) open->attributes.shapes[0] = Json::object();
+  return *std::move(open);
+}
+
+TEST(Writing, OpenHolesAreCutOnceAndWithoutTheirSlits) {
+  for (const bool with_cut_outs : {true, false}) {
+    const MarkerFile frame = open_frame(with_cut_outs);
+    EXPECT_EQ(count_of(written(frame, FileFormat::kCut), "M14*"), 2U);  // the hole and the outline
+    EXPECT_EQ(count_of(written(frame, FileFormat::kHpgl), "PD"), 3U);   // and the frame of the sheet
+    EXPECT_EQ(count_of(written(frame, FileFormat::kSvg), "ZM"), 1U);    // two rings of one path
   }
 }
 

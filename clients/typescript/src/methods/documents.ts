@@ -97,7 +97,7 @@ export type RepeatDocument = {
 export type ShapeDocument = {
   id: Id;
   outline: Outline;
-  /** Accepted, and treated as filled. */
+  /** Treated as filled, and kept as cut-outs among the annotations. */
   holes?: Array<Array<Point>>;
   /** Allowed rotations in degrees, counter-clockwise about the shape's own origin. */
   rotations?: "any" | Array<number>;

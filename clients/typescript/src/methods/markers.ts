@@ -104,6 +104,8 @@ export interface MarkerMethods {
       napDirection?: ClothNap;
       /** True: the cloth is a tube, whose upper edge is a fold like the lower one. */
       tube?: boolean;
+      /** True: other pieces may lie in the holes of a piece, which are filled otherwise. */
+      openHoles?: boolean;
       /** Rectangles of the cloth that no piece, or only some pieces, may cover: [{"from": [X, Y], "to": [X, Y]}]. */
       zones?: Array<ClothZone>;
       /** Rules of single pieces or shapes: [{"shape": "collar", "rules": {"match": [0, 0]}}]. */

@@ -1,10 +1,10 @@
-#include "core/outline/container.h"
+#include "core/outline/enclosed/container.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace selvage::outline {
+namespace selvage::outline::enclosed {
 namespace {
 
 bool on_border(const Box& box, Vec p) {
@@ -63,4 +63,4 @@ Container within(Container container, const Box& box) {
   return container;
 }
 
-}  // namespace selvage::outline
+}  // namespace selvage::outline::enclosed

@@ -10,7 +10,7 @@
 
 #include "core/geometry/polygon.h"
 
-namespace selvage::outline {
+namespace selvage::outline::enclosed {
 
 struct Container {
   Container(const Box& whole) : box{whole} {}  // NOLINT(*-explicit-*): a box is a container
@@ -24,4 +24,4 @@ struct Container {
 // The container within another box.
 [[nodiscard]] Container within(Container container, const Box& box);
 
-}  // namespace selvage::outline
+}  // namespace selvage::outline::enclosed
