@@ -19,6 +19,9 @@ export interface ClientOptions {
   patience?: number;
 }
 
+/** For so many milliseconds after the connection was restored, calls are sent again if the daemon is busy. */
+const INSIST = 10_000;
+
 interface Pending {
   method: string;
   text: string;
@@ -46,6 +49,7 @@ const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resol
 export class Client {
   private connection: Connection | undefined;
   private closedBy: Error | undefined; // why the client is closed; every call rejects with it
+  private insistUntil = 0; // in milliseconds since 1970
   private ids = 0;
   private readonly name = Math.random().toString(36).slice(2) + Date.now().toString(36);
   private readonly pending = new Map<number, Pending>();
@@ -140,6 +144,7 @@ export class Client {
         if (unauthorised(error)) return this.end(error);
         continue;
       }
+      this.insistUntil = Date.now() + INSIST;
       for (const id of this.pending.keys()) this.send(id);
       return this.notify("reconnected", undefined);
     }
@@ -168,6 +173,12 @@ export class Client {
     call.reject(new ConnectionLost(`${call.method}: there is no connection`));
   }
 
+  // A daemon that has just been started may still be loading its markers, and has done nothing of the call.
+  private async sendLater(id: number, { retryAfterMs }: ErrorData = {}): Promise<void> {
+    await wait(retryAfterMs ?? this.options.patience);
+    if (this.connection) this.send(id); // otherwise it is sent on the next connection
+  }
+
   private cancel(id: number): void {
     const text = JSON.stringify({ jsonrpc: "2.0", method: "$/cancelRequest", params: { id } });
     if (this.connection) return this.connection.send(text);
@@ -182,6 +193,8 @@ export class Client {
     const id = message.id ?? (error && this.longest());
     const call = this.pending.get(id ?? -1);
     if (!call) return;
+    if (error?.code === Code.Busy && retriable.has(call.method) && Date.now() < this.insistUntil)
+      return void this.sendLater(id as number, error.data);
     this.pending.delete(id as number);
     if (error) call.reject(new CallError(error.code, error.message, error.data));
     else call.resolve(message.result);

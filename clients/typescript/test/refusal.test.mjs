@@ -85,3 +85,23 @@ test("a server that is not a Selvage daemon is reported", async () => {
   const stranger = async (listener) => ({ send: () => queueMicrotask(() => listener.message("220 welcome")), close: () => {} });
   await assert.rejects(Client.open(stranger), { name: "ConnectionLost", message: /not a Selvage daemon/ });
 });
+
+test("a call that a loading daemon refuses after the connection broke is sent again", async () => {
+  let connections = 0;
+  let calls = 0;
+  const connect = async (listener) => {
+    const breaks = connections++ === 0;
+    const answer = (text) => {
+      const { id } = JSON.parse(text);
+      if (id === "first") return listener.message("{}");
+      if (breaks) return listener.closed("it broke");
+      const busy = { code: Code.Busy, message: "the server is loading its markers", data: { retryAfterMs: 1 } };
+      listener.message(JSON.stringify({ jsonrpc: "2.0", id, ...(++calls < 3 ? { error: busy } : { result: { markers: [] } }) }));
+    };
+    return { send: (text) => queueMicrotask(() => answer(text)), close: () => {} };
+  };
+  const client = await Client.open(connect, { patience: 1 });
+  assert.deepEqual(await client.call("marker.list", {}), { markers: [] });
+  assert.equal(calls, 3);
+  client.close();
+});
