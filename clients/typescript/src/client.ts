@@ -193,7 +193,8 @@ export class Client {
     const id = message.id ?? (error && this.longest());
     const call = this.pending.get(id ?? -1);
     if (!call) return;
-    if (error?.code === Code.Busy && retriable.has(call.method) && Date.now() < this.insistUntil)
+    // A drag's move is not sent again: it would come after later ones.
+    if (error?.code === Code.Busy && !call.method.startsWith("drag.") && Date.now() < this.insistUntil)
       return void this.sendLater(id as number, error.data);
     this.pending.delete(id as number);
     if (error) call.reject(new CallError(error.code, error.message, error.data));

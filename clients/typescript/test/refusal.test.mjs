@@ -86,7 +86,7 @@ test("a server that is not a Selvage daemon is reported", async () => {
   await assert.rejects(Client.open(stranger), { name: "ConnectionLost", message: /not a Selvage daemon/ });
 });
 
-test("a call that a loading daemon refuses after the connection broke is sent again", async () => {
+test("calls that a loading daemon refuses after the connection broke are sent again", async () => {
   let connections = 0;
   let calls = 0;
   const connect = async (listener) => {
@@ -96,12 +96,12 @@ test("a call that a loading daemon refuses after the connection broke is sent ag
       if (id === "first") return listener.message("{}");
       if (breaks) return listener.closed("it broke");
       const busy = { code: Code.Busy, message: "the server is loading its markers", data: { retryAfterMs: 1 } };
-      listener.message(JSON.stringify({ jsonrpc: "2.0", id, ...(++calls < 3 ? { error: busy } : { result: { markers: [] } }) }));
+      listener.message(JSON.stringify({ jsonrpc: "2.0", id, ...(++calls % 3 > 0 ? { error: busy } : { result: { calls } }) }));
     };
     return { send: (text) => queueMicrotask(() => answer(text)), close: () => {} };
   };
   const client = await Client.open(connect, { patience: 1 });
-  assert.deepEqual(await client.call("marker.list", {}), { markers: [] });
-  assert.equal(calls, 3);
+  assert.deepEqual(await client.call("marker.undo", { markerId: "m1" }), { calls: 3 });
+  assert.deepEqual(await client.call("marker.list", {}), { calls: 6 });
   client.close();
 });
