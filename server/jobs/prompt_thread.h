@@ -14,7 +14,7 @@ enum class Promptness {
 
 enum class RealTime {
   kNever,
-  kWhenLate,  // for a second after any of these threads has woken up late (lateness.h); with kAlarm always
+  kWhenLate,  // for up to a second after any of these threads has woken up late (lateness.h); with kAlarm always
   kAlways,
 };
 

@@ -37,6 +37,17 @@ TEST(Lateness, ThreadsThatWakeUpSoonerNeitherBeginNorEndIt) {
   EXPECT_FALSE(lateness.lately(kStart + 1s));
 }
 
+TEST(Lateness, EndsAfterAThousandTimesInTime) {
+  Lateness lateness;
+  lateness.record(1ms, kStart);
+  for (int i = 0; i < 999; ++i) lateness.record(0ms, kStart);
+  EXPECT_TRUE(lateness.lately(kStart));
+  lateness.record(0ms, kStart);
+  EXPECT_FALSE(lateness.lately(kStart));
+  lateness.record(1ms, kStart);
+  EXPECT_TRUE(lateness.lately(kStart));
+}
+
 TEST(Lateness, TheLastTimeCounts) {
   Lateness lateness;
   lateness.record(1ms, kStart);
