@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -145,16 +146,37 @@ struct Slit {
   std::size_t in{}, corners{};
 };
 
+// Calls found(i, k) for all corners that could be the two ends of a slit's mouth, in both orders.
+template <typename Found>
+void for_each_mouth(const Polygon& ring, const Found& found) {
+  std::vector<std::size_t> by_x(ring.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t{});
+  std::sort(by_x.begin(), by_x.end(), [&](std::size_t a, std::size_t b) { return ring[a].x < ring[b].x; });
+  for (auto a = by_x.begin(); a != by_x.end(); ++a) {
+    for (auto b = a + 1; b != by_x.end() && ring[*b].x - ring[*a].x <= kMouth; ++b) {
+      if (!is_mouth(ring[*a], ring[*b])) continue;
+      found(*a, *b);
+      found(*b, *a);
+    }
+  }
+}
+
 // The slit around the fewest corners: a hole may itself be joined to another one.
 std::optional<Slit> innermost_slit(const Polygon& ring) {
-  const auto at = [&](std::size_t k) { return ring[k % ring.size()]; };
-  for (std::size_t corners = 3; corners + 3 < ring.size(); ++corners) {
-    for (std::size_t in = 0; in < ring.size(); ++in) {
-      if (!is_mouth(at(in), at(in + corners + 2)) || !is_mouth(at(in + 1), at(in + corners + 1))) continue;
-      Polygon hole;
-      for (std::size_t k = 1; k <= corners; ++k) hole.push_back(at(in + k));
-      if (doubled_area(hole) < 0 && is_large(hole)) return Slit{in, corners};
-    }
+  const std::size_t size = ring.size();
+  const auto at = [&](std::size_t k) { return ring[k % size]; };
+  std::vector<Slit> slits;
+  for_each_mouth(ring, [&](std::size_t in, std::size_t out) {
+    const std::size_t steps = (out + size - in) % size;
+    if (steps < 5 || steps + 1 >= size || !is_mouth(at(in + 1), at(out + size - 1))) return;
+    slits.push_back({in, steps - 2});
+  });
+  std::sort(slits.begin(), slits.end(),
+            [](const Slit& a, const Slit& b) { return std::pair{a.corners, a.in} < std::pair{b.corners, b.in}; });
+  for (const Slit& slit : slits) {
+    Polygon hole;
+    for (std::size_t k = 1; k <= slit.corners; ++k) hole.push_back(at(slit.in + k));
+    if (doubled_area(hole) < 0 && is_large(hole)) return slit;
   }
   return std::nullopt;
 }

@@ -19,8 +19,8 @@ inline constexpr Coord kSlit = 8;
 inline constexpr Coord kLeastHole = 64 * kSlit;
 
 // The outline with all holes open.  Nothing if a hole is too small, touches or crosses the outline or another hole,
-// lies outside of the outline or inside another hole, or if the result would have more than kMaxVertices. REQUIRES:
-// every polygon is as clean_polygon returns it.
+// lies outside of the outline or inside another hole, or if the result would have more than kMaxVertices.
+// REQUIRES: every polygon is as clean_polygon returns it.
 [[nodiscard]] std::optional<Polygon> with_open_holes(const Polygon& outline, const std::vector<Polygon>& holes);
 
 struct Rings {

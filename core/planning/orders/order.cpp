@@ -84,6 +84,10 @@ double Problem::remnant_saving() const {
   return std::max(0.0, roll_rate() - costs.remnant_metre * kPerMetre);
 }
 
+double Problem::cut_rate() const {
+  return costs.cut_metre * kPerMetre;
+}
+
 int Problem::least(std::size_t colour, std::size_t size) const {
   return static_cast<int>(std::ceil(order.garments[colour][size] * (1 - limits.under) - kRounding));
 }

@@ -81,6 +81,8 @@ struct Problem {
   // The cost of a millimetre of a ply from rolls, splices included, and how much less it is from remnants (at least 0).
   [[nodiscard]] double roll_rate() const;
   [[nodiscard]] double remnant_saving() const;
+  // The cost of cutting a millimetre.
+  [[nodiscard]] double cut_rate() const;
   // The fraction by which splices increase the cloth from rolls: one splice for every length that a roll adds.
   [[nodiscard]] double splice_part() const;
   // The minimum and maximum number of garments that may be cut.  When plies come in pairs, so do garments; one more

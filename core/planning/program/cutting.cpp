@@ -6,17 +6,12 @@
 #include "core/planning/program/remnants.h"
 
 namespace selvage::planning::program {
-namespace {
-
-constexpr double kPerMetre = 1e-3;  // metres in a millimetre
-
-}  // namespace
 
 Price price_of(const orders::Problem& problem, const Candidate& candidate) {
   const orders::Costs& costs = problem.costs;
   Price price;
   price.unit = problem.roll_rate() * problem.unit_length(candidate.length) + problem.plies_of_unit() * costs.ply;
-  price.lay = costs.lay + costs.cut_metre * kPerMetre * perimeter_of(problem.order, candidate.ratio);
+  price.lay = costs.lay + problem.cut_rate() * perimeter_of(problem.order, candidate.ratio);
   price.marker = costs.marker;
   for (std::size_t colour = 0; colour < problem.order.colours.size(); ++colour) {
     price.most.push_back(most_units(problem, candidate.ratio, colour));

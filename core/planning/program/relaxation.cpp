@@ -164,7 +164,7 @@ PricingProblem pricing_of(const orders::Problem& problem, const orders::LengthEs
                           std::size_t colour) {
   const orders::Order& order = problem.order;
   const int unit = problem.plies_of_unit(), per_lay = problem.units_of_lay();
-  const double rate = problem.roll_rate() - master.saved(colour), cut_metre = problem.costs.cut_metre / 1000;
+  const double rate = problem.roll_rate() - master.saved(colour), cut_rate = problem.cut_rate();
   int most_units = 0;
   for (std::size_t c = 0; c < order.colours.size(); ++c) {
     int most = 0;
@@ -178,7 +178,7 @@ PricingProblem pricing_of(const orders::Problem& problem, const orders::LengthEs
   pricing.capacity = problem.limits.table - problem.cloth.end_loss - estimate.length_of_ends();
   for (std::size_t size = 0; size < order.sizes.size(); ++size) {
     pricing.weight.push_back(estimate.length_per_area() * order.sizes[size].area);
-    pricing.gain.push_back(unit * rate * pricing.weight.back() + cut_metre * order.sizes[size].perimeter / per_lay -
+    pricing.gain.push_back(unit * rate * pricing.weight.back() + cut_rate * order.sizes[size].perimeter / per_lay -
                            master.worth(colour, size));
     pricing.most.push_back(problem.most(colour, size) / unit);
   }
