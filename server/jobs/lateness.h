@@ -14,25 +14,26 @@ class Lateness {
   // On idle processors a thread wakes up within 0.1 ms.  On busy ones it may wait for the end of another thread's time
   // slice, up to 4 ms.
   static constexpr std::chrono::microseconds kLate{500};
-  // How long it counts: until then, or until threads have woken up so often in time.  On idle processors, too, a thread
-  // is late now and then, which among thousands of quick calls a second is no reason.
-  static constexpr std::chrono::seconds kLately{1};
-  static constexpr int kTimes = 1000;
+  // A late wake-up counts for three seconds, or until this many wake-ups in a row were punctual.  Even on idle
+  // processors one in some thousands is late, and clients that make as many calls a second should not have to pay for
+  // it.  On busy ones a few calls are late before it counts: they must be less than a hundredth of those that follow.
+  static constexpr std::chrono::seconds kLately{3};
+  static constexpr int kPunctual = 1000;
 
-  // At `now` a thread ran that had been woken up so long ago.
+  // A thread began to run at `now`, `waited` after it had been woken up.
   void record(Clock::duration waited, Clock::time_point now) {
     if (waited >= kLate) {
       until_ = now + kLately;
-      times_left_ = kTimes;
-    } else if (times_left_ > 0) {
-      --times_left_;
+      punctual_left_ = kPunctual;
+    } else if (punctual_left_ > 0) {
+      --punctual_left_;
     }
   }
-  [[nodiscard]] bool lately(Clock::time_point now) const { return times_left_ > 0 && now < until_.load(); }
+  [[nodiscard]] bool lately(Clock::time_point now) const { return punctual_left_ > 0 && now < until_.load(); }
 
  private:
   std::atomic<Clock::time_point> until_{Clock::time_point::min()};
-  std::atomic<int> times_left_{};
+  std::atomic<int> punctual_left_{};
 };
 
 }  // namespace selvage::server::jobs
