@@ -4,20 +4,18 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
-#include <span>
+#include <optional>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "core/lp/interior_point/border.h"
+#include "core/lp/interior_point/division.h"
+#include "core/lp/interior_point/domain.h"
 #include "core/lp/interior_point/inequality_form.h"
-#include "core/lp/interior_point/normal_equations.h"
-#include "core/lp/interior_point/row_runs.h"
 
 namespace selvage::lp::interior_point {
 namespace {
-
-using Vector = Eigen::ArrayXd;
 
 // Proximal weights of the columns, tried in turn, because near the end rounding can leave a matrix that needs a larger
 // one.  They shorten the step but do not change the solution: its residuals are measured without them.
@@ -28,155 +26,217 @@ constexpr double kRhoDecay = 0.1;
 constexpr double kLeastRhoFactor = 1e-4;
 constexpr double kRoundings = 4;  // roundings of the largest bound: steps meet no row more exactly,
 constexpr double kMeasured = 16;  // and products of rows and columns are no more exact than this many
-constexpr double kDelta = 1e-11;  // proximal weight of the row multipliers
-constexpr double kLeastStartingSlack = 1;
-constexpr double kCentring = 3;  // exponent applied to the predicted ratio of the gaps, for the corrector's target
+constexpr double kCentring = 3;   // exponent applied to the predicted ratio of the gaps, for the corrector's target
 constexpr double kAcceptedViolation =
     5e-10;  // row violation allowed when the gap need not close completely; solve() accepts twice as much
 constexpr double kDualPart = 1e-2;   // dual tolerance as a fraction of the tolerance of the gap
 constexpr double kLeastCost = 1e-3;  // so that a program without costs has a central path as well
 
-std::span<double> span_of(Vector& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-Vector vector_of(std::span<const double> v) {
-  return Eigen::Map<const Vector>(v.data(), static_cast<Eigen::Index>(v.size()));
-}
-
-double dot(const Vector& a, const Vector& b) {
-  return a.matrix().dot(b.matrix());
-}
-
-double largest(const Vector& a) {
-  return a.size() == 0 ? 0 : a.abs().maxCoeff();
-}
-
 double roundings(double count, double of) {
   return count * std::numeric_limits<double>::epsilon() * of;
 }
 
-// The step length at which the first entry of v reaches zero; infinite when none decreases.
-double longest_step(const Vector& v, const Vector& dv) {
-  const double shrinks = v.size() == 0 ? 0 : (-dv / v).maxCoeff();
-  return shrinks > 0 ? 1 / shrinks : kInfinity;
+// The form of a domain of the program, or of the whole program where it is not divided, in terms of the program's
+// columns and rows.
+std::optional<InequalityForm> form_of(const LinearProgram& program, const Division& division, std::size_t domain,
+                                      double tolerance) {
+  if (division.domains.empty()) return inequality_form(program, tolerance);
+  auto form = inequality_form(domain_program(program, division, domain), tolerance);
+  if (!form) return form;
+  for (int& column : form->program_column) column = division.domains[domain].columns[static_cast<std::size_t>(column)];
+  for (int& row : form->program_row) {
+    if (row != InequalityForm::kColumnBound) row = division.domains[domain].rows[static_cast<std::size_t>(row)];
+  }
+  return form;
 }
 
-// The iteration for min c.x with A x - s = b, s >= 0, and the dual A^T z = c, z >= 0.  Vectors over columns end with
-// the zero column of RowRuns, which is 0 in all of them.
+// The iteration over all domains.  The stages of a step that only concern a domain are executed by several threads;
+// sums are taken in the order of the domains.
 class Iteration {
  public:
-  Iteration(const InequalityForm& form, const InteriorPointSettings& settings, const std::stop_token& stop)
-      : rows_{row_runs(form)},
+  Iteration(const LinearProgram& program, const InteriorPointSettings& settings, const Executor& executor,
+            const std::stop_token& stop)
+      : program_{program},
         settings_{settings},
+        executor_{executor},
         stop_{stop},
-        normal_{rows_},
-        cost_{vector_of(form.cost)},
-        bound_{vector_of(form.bound)},
-        largest_cost_{largest(cost_)} {
-    primal_ = std::max(settings.primal, roundings(kRoundings, largest(bound_)));
-    cost_.conservativeResize(form.columns() + 1);
-    cost_[form.columns()] = 0;
-    for (Vector* v : {&x_, &dx_, &rd_}) v->setZero(form.columns() + 1);
-    for (Vector* v : {&s_, &z_, &ds_, &dz_, &rp_, &weight_, &target_, &wanted_}) v->setZero(form.rows());
-  }
+        division_{division(program, settings.domain_size)},
+        domains_(std::max<std::size_t>(1, division_.domains.size())) {}
 
-  void start(std::span<const double> x);
-  bool converged();
-  bool step();  // false when no further step is possible, or when cancelled
-
-  [[nodiscard]] const Vector& x() const { return x_; }
-  [[nodiscard]] const Vector& z() const { return z_; }
+  // False when a row without columns requires too much: the program is infeasible.
+  [[nodiscard]] bool start();
+  [[nodiscard]] bool converged();
+  [[nodiscard]] bool step();  // false when no further step is possible, or when cancelled
+  // The solution, which starts as the fixed columns.
+  void extract(LpSolution& solution) const;
 
  private:
-  bool factorise();
-  void measure_primal();
-  void direction();
+  template <class Stage>
+  void for_each_domain(const Stage& stage) {
+    if (domains_.size() == 1) return stage(0);
+    executor_.for_each(domains_.size(), stage);
+  }
+  template <class Value>
+  [[nodiscard]] auto of_each_domain(const Value& value) {
+    std::vector<decltype(value(std::size_t{}))> values(domains_.size());
+    for_each_domain([&](std::size_t d) { values[d] = value(d); });
+    return values;
+  }
 
-  const RowRuns rows_;
+  [[nodiscard]] Border make_border() const;
+  [[nodiscard]] std::vector<double> start_of(const Domain& domain) const;
+  [[nodiscard]] bool factorise();
+  [[nodiscard]] Domain::Steps direction();
+  [[nodiscard]] double dual_residual_on_border();
+
+  const LinearProgram& program_;
   const InteriorPointSettings& settings_;
+  const Executor& executor_;
   const std::stop_token& stop_;
-  NormalEquations normal_;
-  Vector cost_, bound_;
-  double largest_cost_;
-  Vector x_, s_, z_, dx_, ds_, dz_;
-  Vector rp_, rd_;                // the residuals of A x - s = b and of A^T z = c
-  Vector weight_;                 // 1 / (s / z + delta)
-  Vector target_;                 // the target value of s dz + z ds
-  Vector wanted_;                 // the target value of A dx where the weight is large
+  const Division division_;
+  std::vector<std::unique_ptr<Domain>> domains_;
+  std::optional<Border> border_;
+  std::vector<double> on_border_;  // what the border is solved for
+  double rows_{};
+  double largest_cost_{}, largest_bound_{};
   double gap_{};                  // s . z
   double least_dual_{kInfinity};  // the smallest dual residual so far
   double primal_{};               // the largest row violation allowed
   double rho_factor_{1};          // the factor applied to rho
 };
 
-void Iteration::start(std::span<const double> x) {
-  std::copy(x.begin(), x.end(), x_.data());
-  multiply(rows_, span_of(x_), span_of(s_));
-  s_ = (s_ - bound_).max(kLeastStartingSlack);
-  z_ = std::max(largest_cost_, kLeastCost) / s_;  // all products s z are equal: on the central path
-  measure_primal();
+bool Iteration::start() {
+  for_each_domain([&](std::size_t d) {
+    auto form = form_of(program_, division_, d, settings_.primal);
+    if (!form) return;
+    const int own = division_.domains.empty() ? form->columns() : division_.domains[d].own;
+    domains_[d] = std::make_unique<Domain>(*std::move(form), own);
+  });
+  if (!std::ranges::all_of(domains_, [](const auto& domain) { return domain != nullptr; })) return false;
+  border_.emplace(make_border());
+  on_border_.resize(division_.border.size());
+  for (const auto& domain : domains_) {
+    largest_cost_ = std::max(largest_cost_, largest_of(domain->form().cost));
+    largest_bound_ = std::max(largest_bound_, largest_of(domain->form().bound));
+    rows_ += domain->form().rows();
+  }
+  primal_ = std::max(settings_.primal, roundings(kRoundings, largest_bound_));
+  for_each_domain(
+      [&](std::size_t d) { domains_[d]->start(start_of(*domains_[d]), std::max(largest_cost_, kLeastCost)); });
+  return true;
 }
 
-void Iteration::measure_primal() {
-  multiply(rows_, span_of(x_), span_of(rp_));
-  rp_ = bound_ + s_ - rp_;
+Border Iteration::make_border() const {
+  std::vector<Border::Member> members;
+  for (std::size_t d = 0; d < division_.domains.size(); ++d) {
+    members.push_back({&domains_[d]->normal(), domains_[d]->own(), division_.domains[d].border});
+  }
+  return {division_.border, members};
+}
+
+std::vector<double> Iteration::start_of(const Domain& domain) const {
+  std::vector<double> x;
+  x.reserve(domain.form().program_column.size());
+  for (const int j : domain.form().program_column) {
+    const auto k = static_cast<std::size_t>(j);
+    x.push_back(std::clamp(0.0, program_.lower[k], program_.upper[k]));
+  }
+  return x;
+}
+
+double Iteration::dual_residual_on_border() {
+  std::ranges::fill(on_border_, 0.0);
+  for (std::size_t d = 0; d < division_.domains.size(); ++d) {
+    const auto residuals = domains_[d]->dual_residuals();
+    const std::vector<int>& border = division_.domains[d].border;
+    for (std::size_t k = 0; k < border.size(); ++k) on_border_[static_cast<std::size_t>(border[k])] += residuals[k];
+  }
+  return largest_of(on_border_);
 }
 
 bool Iteration::converged() {
-  multiply_transposed(rows_, span_of(z_), span_of(rd_));
-  rd_ = cost_ - rd_;
-  rd_[rows_.zero_column()] = 0;
-  gap_ = dot(s_, z_);
-  const double dual = largest(rd_) / (1 + largest_cost_);
+  gap_ = 0;
+  double cost = 0;
+  double primal = 0;
+  double dual = dual_residual_on_border();
+  for (const auto& domain : domains_) {
+    const Domain::Measure& measure = domain->measure();
+    gap_ += measure.gap;
+    cost += measure.cost;
+    primal = std::max(primal, measure.primal);
+    dual = std::max(dual, measure.dual);
+  }
+  dual /= 1 + largest_cost_;
   const bool stalled = dual > least_dual_ / 2;
   least_dual_ = std::min(least_dual_, dual);
-  const bool closed = gap_ <= settings_.gap * (1 + std::abs(dot(cost_, x_)));
+  const bool closed = gap_ <= settings_.gap * (1 + std::abs(cost));
   if (closed && stalled) rho_factor_ = std::max(kLeastRhoFactor, kRhoDecay * rho_factor_);
-  if (!closed || largest(rp_) > primal_) return false;
+  if (!closed || primal > primal_) return false;
   if (dual > settings_.dual && !(stalled && dual <= settings_.dual_when_stalled)) return false;
-  measure_primal();  // steps only update the residual, so it has gathered rounding errors
-  return largest(rp_) <= std::max(primal_, roundings(kMeasured, largest(bound_)));
+  const auto measured = of_each_domain([&](std::size_t d) { return domains_[d]->measure_primal(); });
+  return std::ranges::max(measured) <= std::max(primal_, roundings(kMeasured, largest_bound_));
 }
 
 bool Iteration::factorise() {
-  weight_ = z_ / (s_ + kDelta * z_);
-  return std::any_of(kRho.begin(), kRho.end(),
-                     [&](double rho) { return normal_.factorise(span_of(weight_), rho_factor_ * rho, stop_); });
+  return std::any_of(kRho.begin(), kRho.end(), [&](double rho) {
+    rho *= rho_factor_;
+    const auto positive =
+        of_each_domain([&](std::size_t d) { return static_cast<char>(domains_[d]->predict(rho, stop_)); });
+    return std::ranges::find(positive, 0) == positive.end() && border_->factorise(rho, stop_);
+  });
 }
 
-// (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target.
-void Iteration::direction() {
-  wanted_ = rp_ + target_ / z_;
-  dz_ = weight_ * wanted_;
-  multiply_transposed(rows_, span_of(dz_), span_of(dx_));
-  dx_ -= rd_;
-  normal_.solve(span_of(dx_));
-  dx_[rows_.zero_column()] = 0;
-  multiply(rows_, span_of(dx_), span_of(ds_));
-  dz_ = weight_ * (wanted_ - ds_);
-  ds_ += kDelta * dz_ - rp_;
+Domain::Steps Iteration::direction() {
+  std::ranges::fill(on_border_, 0.0);
+  const auto visit = [&](const auto& exchange) {
+    for (std::size_t d = 0; d < division_.domains.size(); ++d) {
+      const auto own = domains_[d]->direction_on_border();
+      const std::vector<int>& border = division_.domains[d].border;
+      for (std::size_t k = 0; k < border.size(); ++k) exchange(own[k], on_border_[static_cast<std::size_t>(border[k])]);
+    }
+  };
+  visit([](double part, double& sum) { sum += part; });
+  border_->solve(on_border_);
+  visit([](double& part, double solved) { part = solved; });
+  const auto longest = of_each_domain([&](std::size_t d) { return domains_[d]->direction(); });
+  Domain::Steps steps = longest.front();
+  for (const Domain::Steps& other : longest) {
+    steps = {std::min(steps.primal, other.primal), std::min(steps.dual, other.dual)};
+  }
+  return steps;
 }
 
 bool Iteration::step() {
   if (!factorise()) return false;
-  const double mu = gap_ / static_cast<double>(s_.size());
-  target_ = -s_ * z_;
-  direction();
-  double primal = std::min(1.0, longest_step(s_, ds_));
-  double dual = std::min(1.0, longest_step(z_, dz_));
-  const double affine = ((s_ + primal * ds_) * (z_ + dual * dz_)).sum();
+  const double mu = gap_ / rows_;
+  Domain::Steps steps = direction();
+  steps = {std::min(1.0, steps.primal), std::min(1.0, steps.dual)};
+  const auto gaps = of_each_domain([&](std::size_t d) { return domains_[d]->gap_after(steps); });
+  const double affine = std::accumulate(gaps.begin(), gaps.end(), 0.0);
   const double sigma = std::pow(affine / gap_, kCentring);
-  target_ = sigma * mu - s_ * z_ - ds_ * dz_;
-  direction();
+  for_each_domain([&](std::size_t d) { domains_[d]->correct(sigma * mu); });
+  steps = direction();
   // The iterates approach the boundary as the gap closes, but never reach it.
   const double keep = std::clamp(1 - mu, 0.99, 0.9995);
-  primal = std::min(1.0, keep * longest_step(s_, ds_));
-  dual = std::min(1.0, keep * longest_step(z_, dz_));
-  x_ += primal * dx_;
-  s_ += primal * ds_;
-  z_ += dual * dz_;
-  rp_ -= primal * (rp_ - kDelta * dz_);
-  return std::isfinite(dot(x_, x_));
+  steps = {std::min(1.0, keep * steps.primal), std::min(1.0, keep * steps.dual)};
+  const auto finite = of_each_domain([&](std::size_t d) { return static_cast<char>(domains_[d]->advance(steps)); });
+  return std::ranges::find(finite, 0) == finite.end();
+}
+
+void Iteration::extract(LpSolution& solution) const {
+  solution.x = program_.lower;
+  solution.dual.assign(program_.bound.size(), 0.0);
+  for (const auto& domain : domains_) {
+    const InequalityForm& form = domain->form();
+    for (int k = 0; k < form.columns(); ++k) {
+      solution.x[static_cast<std::size_t>(form.program_column[static_cast<std::size_t>(k)])] = domain->x(k);
+    }
+    for (int r = 0; r < form.rows(); ++r) {
+      const int row = form.program_row[static_cast<std::size_t>(r)];
+      if (row != InequalityForm::kColumnBound) solution.dual[static_cast<std::size_t>(row)] = domain->z(r);
+    }
+  }
+  solution.objective = std::inner_product(program_.cost.begin(), program_.cost.end(), solution.x.begin(), 0.0);
 }
 
 }  // namespace
@@ -202,17 +262,10 @@ InteriorPointSettings settings_for_tolerance(double tolerance) {
 }
 
 LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorPointSettings& settings,
-                                   std::stop_token stop) {
-  const auto form = inequality_form(program, settings.primal);
-  if (!form) return {.status = LpStatus::kFailed};
+                                   std::stop_token stop, const Executor& executor) {
+  Iteration iteration{program, settings, executor, stop};
+  if (!iteration.start()) return {.status = LpStatus::kFailed};
   LpSolution solution;
-  std::vector<double> x0;
-  for (const int j : form->program_column) {
-    const auto k = static_cast<std::size_t>(j);
-    x0.push_back(std::clamp(0.0, program.lower[k], program.upper[k]));
-  }
-  Iteration iteration{*form, settings, stop};
-  iteration.start(x0);
   while (!iteration.converged()) {
     if (stop.stop_requested()) return {.status = LpStatus::kStopped, .iterations = solution.iterations};
     if (solution.iterations == settings.iterations || !iteration.step()) {
@@ -222,17 +275,7 @@ LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorP
     ++solution.iterations;
   }
   solution.status = LpStatus::kOptimal;
-  solution.x = program.lower;
-  for (std::size_t k = 0; k < form->cost.size(); ++k) {
-    solution.x[static_cast<std::size_t>(form->program_column[k])] = iteration.x()[static_cast<Eigen::Index>(k)];
-  }
-  solution.dual.assign(program.bound.size(), 0.0);
-  for (std::size_t r = 0; r < form->bound.size(); ++r) {
-    if (form->program_row[r] != InequalityForm::kColumnBound) {
-      solution.dual[static_cast<std::size_t>(form->program_row[r])] = iteration.z()[static_cast<Eigen::Index>(r)];
-    }
-  }
-  solution.objective = std::inner_product(program.cost.begin(), program.cost.end(), solution.x.begin(), 0.0);
+  iteration.extract(solution);
   return solution;
 }
 

@@ -4,12 +4,15 @@
 // keeps unconstrained columns of zero cost from making the matrix singular, and delta bounds the weights of rows
 // without an interior.  The start need not be feasible: it is x = 0 clamped to the column bounds, which for position
 // models is the present layout and nearly feasible.
+// Large programs are divided into domains and a border (division.h); threads of the executor work on the domains, and
+// the border's normal equations are what remains of theirs.
 // Sources: [Meh92], [PG21].  Departs from them in using the inequality form, so that the matrix has one row per column
 // of the program.
 #pragma once
 
 #include <stop_token>
 
+#include "core/base/executor.h"
 #include "core/lp/linear_program.h"
 
 namespace selvage::lp::interior_point {
@@ -20,6 +23,9 @@ struct InteriorPointSettings {
   double primal{1e-11};            // largest violation of a row, apart from the rounding of its bound
   double dual{1e-10};              // largest violation of a dual constraint, divided by 1 + the largest cost
   double dual_when_stalled{1e-8};  // the same, once rounding prevents further progress
+  // Pieces in a domain (division.h).  Smaller domains share the work among more threads, but leave more of it to the
+  // border, which one thread works on.
+  int domain_size{500};
 };
 
 // The smallest row violation that rounding lets a solution be sure of: some roundings of the largest finite bound,
@@ -33,9 +39,10 @@ struct InteriorPointSettings {
 
 // The solution lies in the interior of the feasible region, near the centre of the optimal face.  kFailed when the
 // method does not converge: it does not try to prove infeasibility or unboundedness, which is left to the simplex
-// method.  Deterministic; checks `stop` once per iteration.
+// method.  Deterministic, whatever the executor; checks `stop` once per iteration.
 // REQUIRES: lower <= upper, no NaN.
 [[nodiscard]] LpSolution solve_by_interior_point(const LinearProgram& program,
-                                                 const InteriorPointSettings& settings = {}, std::stop_token stop = {});
+                                                 const InteriorPointSettings& settings = {}, std::stop_token stop = {},
+                                                 const Executor& executor = serial());
 
 }  // namespace selvage::lp::interior_point

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
-
-#include "core/lp/interior_point/block_cholesky.h"
+#include "core/lp/elimination/block_cholesky.h"
+#include "core/lp/elimination/elimination_order.h"
 
 namespace selvage::lp::interior_point {
 namespace {
 
-using Edge = std::pair<int, int>;
+using elimination::Block;
+using elimination::BlockPattern;
+using elimination::Edge;
 
 // The position of a column: its block column, and its offset (0 or 1) within the block.
 struct Slot {
@@ -26,8 +26,9 @@ std::span<const RowRuns::Difference> differences_of(const RowRuns& rows, const R
 }
 
 // Consecutive columns that occur in the same rows, such as those of a piece, share a block.  Any other column has a
-// block of its own, whose second place stays empty.  The last slot is that of the zero column.
-std::vector<Slot> slots_of(const RowRuns& rows) {
+// block of its own, whose second place stays empty.  No block has columns on both sides of `own`.  The last slot is
+// that of the zero column.
+std::vector<Slot> slots_of(const RowRuns& rows, int own) {
   const auto size = static_cast<std::size_t>(rows.columns);
   std::vector<char> with_next(size + 1);
   for (const RowRuns::Run& run : rows.runs) {
@@ -37,6 +38,7 @@ std::vector<Slot> slots_of(const RowRuns& rows) {
       if (of[k + 1].minus == of[k].minus + 1) with_next[static_cast<std::size_t>(of[k].minus)] = 1;
     }
   }
+  if (own > 0) with_next[static_cast<std::size_t>(own) - 1] = 0;
   std::vector<Slot> slots(size + 1);
   int block = 0;
   for (std::size_t j = 0; j < size; ++j, ++block) {
@@ -70,54 +72,24 @@ std::vector<Edge> edges_of(const RowRuns& rows, const std::vector<Slot>& slots) 
   return edges;
 }
 
-// The position of each block in an elimination order with little fill (approximate minimum degree).
-std::vector<int> elimination_order(const std::vector<Edge>& edges, int blocks) {
-  std::vector<Eigen::Triplet<char>> both;
-  both.reserve(2 * edges.size() + static_cast<std::size_t>(blocks));
-  for (int k = 0; k < blocks; ++k) both.emplace_back(k, k, 1);
-  for (const auto& [a, b] : edges) {
-    both.emplace_back(a, b, 1);
-    both.emplace_back(b, a, 1);
-  }
-  Eigen::SparseMatrix<char> pattern(blocks, blocks);
-  pattern.setFromTriplets(both.begin(), both.end());
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> first;  // the block at each position
-  Eigen::AMDOrdering<int>{}(pattern, first);
-  std::vector<int> place(static_cast<std::size_t>(blocks));
-  for (int k = 0; k < blocks; ++k) place[static_cast<std::size_t>(first.indices()[k])] = k;
-  return place;
-}
-
-BlockPattern pattern_of(std::vector<Edge> edges, const std::vector<int>& place) {
-  for (auto& [a, b] : edges) {
-    const auto [first, second] = std::minmax({place[static_cast<std::size_t>(a)], place[static_cast<std::size_t>(b)]});
-    a = second;
-    b = first;
-  }
-  std::sort(edges.begin(), edges.end());
-  BlockPattern pattern;
-  pattern.start.assign(place.size() + 1, 0);
-  for (const auto& [column, row] : edges) {
-    ++pattern.start[static_cast<std::size_t>(column) + 1];
-    pattern.row.push_back(row);
-  }
-  for (std::size_t k = 0; k < place.size(); ++k) pattern.start[k + 1] += pattern.start[k];
-  return pattern;
-}
-
 }  // namespace
 
 struct NormalEquations::Parts {
-  explicit Parts(const RowRuns& r) : rows{r} {}
+  Parts(const RowRuns& r, int o) : rows{r}, own{static_cast<std::size_t>(o)} {}
   void find_positions(const BlockPattern& pattern);
+  // The index of a column's entry in `ordered`.
+  [[nodiscard]] std::size_t place(std::size_t column) const {
+    return 2 * static_cast<std::size_t>(slots[column].block) + static_cast<std::size_t>(slots[column].offset);
+  }
 
   const RowRuns& rows;
+  const std::size_t own;
   std::vector<Slot> slots;  // by column; blocks are numbered in elimination order
-  std::size_t blocks{};
+  std::size_t blocks{}, own_blocks{};
   // The diagonal blocks, the blocks above the diagonal, and one block that collects what falls on the zero column.
   std::vector<Block> matrix;
   std::vector<int> position;  // the index in `matrix` of each number of the runs' products, then of the bounds'
-  std::optional<BlockCholesky> factor;
+  std::optional<elimination::BlockCholesky> factor;
   std::vector<double> ordered;  // a right-hand side in elimination order
 };
 
@@ -148,20 +120,22 @@ void NormalEquations::Parts::find_positions(const BlockPattern& pattern) {
   for (const RowRuns::Bound& bound : rows.bounds) position.push_back(find(bound.column, bound.column));
 }
 
-NormalEquations::NormalEquations(const RowRuns& rows) : parts_{std::make_unique<Parts>(rows)} {
+NormalEquations::NormalEquations(const RowRuns& rows, int own) : parts_{std::make_unique<Parts>(rows, own)} {
   Parts& p = *parts_;
-  p.slots = slots_of(rows);
+  p.slots = slots_of(rows, own);
   const int blocks = p.slots.back().block;
+  const int own_blocks = p.slots[p.own].block;
   p.blocks = static_cast<std::size_t>(blocks);
+  p.own_blocks = static_cast<std::size_t>(own_blocks);
   const std::vector<Edge> edges = edges_of(rows, p.slots);
-  const std::vector<int> place = elimination_order(edges, blocks);
+  const std::vector<int> place = elimination::elimination_order(edges, blocks, own_blocks);
   for (std::size_t j = 0; j + 1 < p.slots.size(); ++j) {
     p.slots[j].block = place[static_cast<std::size_t>(p.slots[j].block)];
   }
-  BlockPattern pattern = pattern_of(edges, place);
+  BlockPattern pattern = elimination::pattern_of(edges, place);
   p.matrix.resize(p.blocks + pattern.row.size() + 1);
   p.find_positions(pattern);
-  p.factor.emplace(std::move(pattern));
+  p.factor.emplace(std::move(pattern), p.blocks - p.own_blocks);
   p.ordered.resize(2 * p.blocks);
 }
 
@@ -170,7 +144,9 @@ NormalEquations::~NormalEquations() = default;
 bool NormalEquations::factorise(std::span<const double> weight, double rho, const std::stop_token& stop) {
   Parts& p = *parts_;
   const auto above = p.matrix.begin() + static_cast<std::ptrdiff_t>(p.blocks);
-  std::fill(p.matrix.begin(), above, rho * Block::Identity());
+  const auto left = p.matrix.begin() + static_cast<std::ptrdiff_t>(p.own_blocks);
+  std::fill(p.matrix.begin(), left, rho * Block::Identity());
+  std::fill(left, above, Block::Zero());
   std::fill(above, p.matrix.end(), Block::Zero());
   double* matrix = p.matrix.front().data();
   const int* position = p.position.data();
@@ -187,16 +163,30 @@ bool NormalEquations::factorise(std::span<const double> weight, double rho, cons
   return p.factor->factorise({p.matrix.begin(), above}, {above, p.matrix.end() - 1}, stop);
 }
 
-void NormalEquations::solve(std::span<double> right_side) {
+void NormalEquations::solve_lower(std::span<double> right_side) {
   Parts& p = *parts_;
   std::fill(p.ordered.begin(), p.ordered.end(), 0.0);
-  const auto place = [&](std::size_t j) {
-    return 2 * static_cast<std::size_t>(p.slots[j].block) + static_cast<std::size_t>(p.slots[j].offset);
-  };
   const auto columns = static_cast<std::size_t>(p.rows.columns);
-  for (std::size_t j = 0; j < columns; ++j) p.ordered[place(j)] = right_side[j];
-  p.factor->solve(p.ordered);
-  for (std::size_t j = 0; j < columns; ++j) right_side[j] = p.ordered[place(j)];
+  for (std::size_t j = 0; j < columns; ++j) p.ordered[p.place(j)] = right_side[j];
+  p.factor->solve_lower(p.ordered);
+  for (std::size_t j = p.own; j < columns; ++j) right_side[j] = p.ordered[p.place(j)];
+}
+
+void NormalEquations::solve_upper(std::span<double> right_side) {
+  Parts& p = *parts_;
+  const auto columns = static_cast<std::size_t>(p.rows.columns);
+  for (std::size_t j = p.own; j < columns; ++j) p.ordered[p.place(j)] = right_side[j];
+  p.factor->solve_upper(p.ordered);
+  for (std::size_t j = 0; j < p.own; ++j) right_side[j] = p.ordered[p.place(j)];
+}
+
+const double* NormalEquations::remaining(int i, int j) const {
+  Slot row = parts_->slots[static_cast<std::size_t>(i)];
+  Slot column = parts_->slots[static_cast<std::size_t>(j)];
+  if (std::pair{row.block, row.offset} < std::pair{column.block, column.offset}) std::swap(row, column);
+  const Block* block =
+      parts_->factor->remaining(static_cast<std::size_t>(row.block), static_cast<std::size_t>(column.block));
+  return block == nullptr ? nullptr : block->data() + row.offset + std::ptrdiff_t{2} * column.offset;
 }
 
 }  // namespace selvage::lp::interior_point

@@ -1,7 +1,11 @@
 // The normal equations of an inequality form: (A^T W A + rho I) x = r for a positive diagonal W, solved repeatedly with
 // the same A.
+//
+// The last columns may be left, because they occur in other rows as well (border.h): then only the other columns are
+// eliminated, and what remains of the matrix and of the right-hand side is added to that of the other rows.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <stop_token>
@@ -13,14 +17,22 @@ namespace selvage::lp::interior_point {
 class NormalEquations {
  public:
   // Computes the sparsity pattern, an elimination order with little fill, and the position of each run's products.
-  // Keeps a reference to `rows`.
-  explicit NormalEquations(const RowRuns& rows);
+  // The columns from `own` on are left.  Keeps a reference to `rows`.
+  NormalEquations(const RowRuns& rows, int own);
+  explicit NormalEquations(const RowRuns& rows) : NormalEquations{rows, rows.columns} {}
   ~NormalEquations();
 
-  // False when the matrix is not positive definite in floating point, or when cancelled (block_cholesky.h).
+  // Adds rho to the diagonal of the columns that are not left.  False when the matrix is not positive definite in
+  // floating point, or when cancelled (core/lp/elimination/block_cholesky.h).
   [[nodiscard]] bool factorise(std::span<const double> weight, double rho, const std::stop_token& stop);
-  // Solves in place; entries after the last column are unchanged.
-  void solve(std::span<double> right_side);
+
+  // Solve in place, one after the other; entries after the last column are unchanged.  Between the two, the entries of
+  // the columns left, which then are the right-hand side that remains, have to be replaced with their solution.
+  void solve_lower(std::span<double> right_side);
+  void solve_upper(std::span<double> right_side);
+
+  // The entry of two of the columns left in the matrix that remains; null where it has none.  Stays at its address.
+  [[nodiscard]] const double* remaining(int i, int j) const;
 
  private:
   struct Parts;

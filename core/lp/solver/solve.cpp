@@ -47,8 +47,9 @@ bool prefers_interior_point(const LinearProgram& program, SolverChoice choice) {
 
 // The status when simplex finds no optimum.  With free columns, Clp sometimes reports feasible programs as infeasible
 // and infeasible ones as unbounded; the phase one program decides how far the rows would have to be relaxed.
-LpStatus confirmed_status(const LinearProgram& program, LpStatus reported, const std::stop_token& stop) {
-  const LpSolution phase_one = interior_point::solve_by_interior_point(phase_one_program(program), {}, stop);
+LpStatus confirmed_status(const LinearProgram& program, LpStatus reported, const std::stop_token& stop,
+                          const Executor& executor) {
+  const LpSolution phase_one = interior_point::solve_by_interior_point(phase_one_program(program), {}, stop, executor);
   if (phase_one.status == LpStatus::kStopped) return LpStatus::kStopped;
   if (phase_one.status != LpStatus::kOptimal) return reported;
   if (phase_one.objective > kLargestInfeasibility) return LpStatus::kInfeasible;
@@ -57,13 +58,14 @@ LpStatus confirmed_status(const LinearProgram& program, LpStatus reported, const
 
 }  // namespace
 
-LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits, std::stop_token stop) {
+LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits, std::stop_token stop,
+                 const Executor& executor) {
   if (stop.stop_requested()) return {.status = LpStatus::kStopped};
   if (const LpStatus status = precheck(program); status != LpStatus::kOptimal) return {.status = status};
   if (program.columns() == 0) return solve_without_columns(program);
   const auto interior = [&]() -> std::optional<LpSolution> {
     LpSolution solution =
-        solve_by_interior_point(program, interior_point::settings_for_tolerance(limits.tolerance), stop);
+        solve_by_interior_point(program, interior_point::settings_for_tolerance(limits.tolerance), stop, executor);
     if (solution.status == LpStatus::kStopped) return solution;
     const bool solved = solution.status == LpStatus::kOptimal;
     const double allowed = std::max(kLargestInfeasibility, interior_point::attainable_violation(program));
@@ -77,7 +79,7 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   LpSolution vertex = solve_by_simplex(program, limits.iterations, stop);
   const bool conclusive = vertex.status == LpStatus::kOptimal || vertex.status == LpStatus::kWorkLimit;
   if (conclusive || vertex.status == LpStatus::kStopped) return vertex;
-  vertex.status = confirmed_status(program, vertex.status, stop);
+  vertex.status = confirmed_status(program, vertex.status, stop, executor);
   if (vertex.status != LpStatus::kFailed || interior_first) return vertex;
   return interior().value_or(vertex);
 }

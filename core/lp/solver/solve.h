@@ -7,6 +7,7 @@
 
 #include <stop_token>
 
+#include "core/base/executor.h"
 #include "core/lp/linear_program.h"
 
 namespace selvage::lp::solver {
@@ -19,8 +20,9 @@ struct LpLimits {
                        // this much; 0: as exact as rounding allows.  Vertex solutions are always optimal
 };
 
-// Deterministic.  Returns kStopped soon after `stop` is requested.
+// Deterministic, whatever the executor, whose threads share the work on large programs.  Returns kStopped soon after
+// `stop` is requested.
 [[nodiscard]] LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits = {},
-                               std::stop_token stop = {});
+                               std::stop_token stop = {}, const Executor& executor = serial());
 
 }  // namespace selvage::lp::solver

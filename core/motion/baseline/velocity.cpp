@@ -122,7 +122,7 @@ class Simulation {
       run_.observer.on_stage(scene::Stage::kSolve);
       const lp::LinearProgram program = velocity_program(rows, restoring);
       run_.observer.on_program(program);
-      const lp::LpSolution solution = solve(program, settings_.solver, {}, run_.stop);
+      const lp::LpSolution solution = solve(program, settings_.solver, {}, run_.stop, *run_.executor);
       ++programs;
       if (solution.status == lp::LpStatus::kStopped) return std::nullopt;
       if (solution.status != lp::LpStatus::kOptimal) continue;

@@ -37,7 +37,7 @@ class Attempt {
       const FloatProgram program{scene_, ties_, aim_, gaps_, rows_, trust_};
       run_.observer.on_stage(scene::Stage::kSolve);
       run_.observer.on_program(program.program());
-      const lp::LpSolution solution = solve(program.program(), solver, {}, run_.stop);
+      const lp::LpSolution solution = solve(program.program(), solver, {}, run_.stop, *run_.executor);
       ++step.programs;
       if (solution.status != lp::LpStatus::kOptimal) {
         step.end = solution.status == lp::LpStatus::kStopped ? step::StepEnd::kStopped : step::StepEnd::kSolverFailed;

@@ -45,7 +45,8 @@ class RepairProgram {
       build(growth);
       run_.observer.on_stage(scene::Stage::kSolve);
       run_.observer.on_program(model_->program());
-      const lp::LpSolution solution = solve(model_->program(), lp::solver::SolverChoice::kAutomatic, {}, run_.stop);
+      const lp::LpSolution solution =
+          solve(model_->program(), lp::solver::SolverChoice::kAutomatic, {}, run_.stop, *run_.executor);
       std::vector<std::uint32_t> wanted;
       if (solution.status == lp::LpStatus::kOptimal) {
         wanted = pressed_by(solution);

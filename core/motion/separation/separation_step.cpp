@@ -56,10 +56,10 @@ class SeparationProgram {
     model_.add_displacement_penalty(kDisplacementPenalty, home);
   }
 
-  [[nodiscard]] lp::LpSolution solved(const std::stop_token& stop) const {
+  [[nodiscard]] lp::LpSolution solved(const scene::Run& run) const {
     lp::solver::LpLimits limits;
     limits.tolerance = settings_.tolerance;
-    return solve(model_.program(), settings_.solver, limits, stop);
+    return solve(model_.program(), settings_.solver, limits, run.stop, *run.executor);
   }
   // The pieces without columns that would move in the solution if they had columns.
   [[nodiscard]] std::vector<std::uint32_t> missed(const lp::LpSolution& solution) const {
@@ -148,7 +148,7 @@ SeparationStep separation_step(const scene::Scene& scene, const std::vector<Over
     program.add_displacement_penalty(home);
     run.observer.on_stage(scene::Stage::kSolve);
     run.observer.on_program(program.program());
-    const lp::LpSolution solution = program.solved(run.stop);
+    const lp::LpSolution solution = program.solved(run);
     ++step.programs;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;

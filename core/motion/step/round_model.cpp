@@ -67,7 +67,7 @@ lp::LpSolution RoundModel::solve() const {
   run_.observer.on_program(model_->program());
   lp::solver::LpLimits limits;
   if (!goal_.fixes_length()) limits.tolerance = settings_.tolerance;
-  return lp::solver::solve(model_->program(), settings_.solver, limits, run_.stop);
+  return lp::solver::solve(model_->program(), settings_.solver, limits, run_.stop, *run_.executor);
 }
 
 Moves RoundModel::moves(const lp::LpSolution& solution) const {

@@ -92,8 +92,8 @@ class Program {
     return tilt_rows(pair, scene_.pieces.facing(p, q), scene_.pieces.facing(q, p), sides, row);
   }
 
-  [[nodiscard]] TiltStep solved(lp::solver::SolverChoice solver, const std::stop_token& stop) const {
-    const lp::LpSolution solution = solve(model_.program(), solver, {}, stop);
+  [[nodiscard]] TiltStep solved(lp::solver::SolverChoice solver, const scene::Run& run) const {
+    const lp::LpSolution solution = solve(model_.program(), solver, {}, run.stop, *run.executor);
     TiltStep step;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;
@@ -175,7 +175,7 @@ TiltStep tilt_step(const scene::Scene& scene, const step::Goal& goal, std::span<
   if (!program.add_pairs(run)) return {lp::LpStatus::kStopped, {}};
   run.observer.on_stage(scene::Stage::kSolve);
   run.observer.on_program(program.program());
-  return program.solved(settings.solver, run.stop);
+  return program.solved(settings.solver, run);
 }
 
 }  // namespace selvage::motion::tilting

@@ -8,7 +8,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/lp/interior_point/block_cholesky.h"
+#include <Eigen/Cholesky>
+
 #include "core/lp/interior_point/inequality_form.h"
 #include "tests/core/lp/compaction_models.h"
 #include "tests/support/random.h"
@@ -127,7 +128,8 @@ TEST(NormalEquations, AreSolvedCorrectly) {
       const auto right_side = some(random, form->columns(), -1, 1);
       auto x = right_side;
       x.push_back(5);  // the value of the zero column has no meaning
-      normal.solve(x);
+      normal.solve_lower(x);
+      normal.solve_upper(x);
       EXPECT_EQ(x.back(), 5);
       x.pop_back();
       auto forces = product(*form, x);
@@ -138,54 +140,38 @@ TEST(NormalEquations, AreSolvedCorrectly) {
   }
 }
 
-TEST(BlockCholesky, RejectsIndefiniteMatricesAndStaysUsable) {
-  BlockPattern pattern;
-  pattern.start = {0, 0, 1};
-  pattern.row = {0};
-  BlockCholesky factor{pattern};
-  const Block one = Block::Identity();
-  const std::vector<Block> above{one};
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{one, one}, above));                    // singular
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{1, 0}, {2, 1}}, one}, above));  // indefinite within a block
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{-1, 0}, {0, 1}}, one}, above));
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(factor.factorise(std::vector<Block>{Block{{nan, 0}, {0, 1}}, one}, above));
-  ASSERT_TRUE(factor.factorise(std::vector<Block>{one, 2 * one}, above));
-  std::vector<double> v{3, 4, 5, 6};  // (1 1; 1 2) (x; y) in both blocks
-  factor.solve(v);
-  EXPECT_NEAR(v[0], 1, 1e-14);
-  EXPECT_NEAR(v[1], 2, 1e-14);
-  EXPECT_NEAR(v[2], 2, 1e-14);
-  EXPECT_NEAR(v[3], 2, 1e-14);
-}
-
-// A full matrix of `size` block columns: 4 times the unit matrix in every block on the diagonal, a little elsewhere.
-struct FullMatrix {
-  BlockPattern pattern;
-  std::vector<Block> diagonal, above;
-};
-FullMatrix full_matrix(int size) {
-  FullMatrix full;
-  for (int k = 0; k < size; ++k) {
-    for (int i = 0; i < k; ++i) full.pattern.row.push_back(i);
-    full.pattern.start.push_back(static_cast<int>(full.pattern.row.size()));
-    full.diagonal.emplace_back(4 * Block::Identity());
+// With columns left: what remains of the matrix, solved, and the two halves of a solution give the whole solution.
+TEST(NormalEquations, LeaveTheLastColumns) {
+  Random random{3};
+  for (const LinearProgram& program : programs()) {
+    const auto form = inequality_form(program, 1);
+    ASSERT_TRUE(form);
+    const RowRuns rows = row_runs(*form);
+    const auto weight = some(random, form->rows(), 0.01, 10);
+    const int left = static_cast<int>(random.between(0, std::min(8, form->columns())));
+    const int own = form->columns() - left;
+    NormalEquations whole{rows};
+    NormalEquations normal{rows, own};
+    ASSERT_TRUE(whole.factorise(weight, 1e-2, {}));
+    ASSERT_TRUE(normal.factorise(weight, 1e-2, {}));
+    auto expected = some(random, form->columns(), -1, 1);
+    expected.push_back(0);
+    auto x = expected;
+    whole.solve_lower(expected);
+    whole.solve_upper(expected);
+    normal.solve_lower(x);
+    Eigen::MatrixXd matrix = 1e-2 * Eigen::MatrixXd::Identity(left, left);
+    for (int i = 0; i < left; ++i) {
+      for (int j = 0; j < left; ++j) {
+        const double* entry = normal.remaining(own + i, own + j);
+        if (entry != nullptr) matrix(i, j) += *entry;
+      }
+    }
+    Eigen::Map<Eigen::VectorXd> last{x.data() + own, left};
+    if (left > 0) last = matrix.llt().solve(last).eval();
+    normal.solve_upper(x);
+    for (std::size_t j = 0; j + 1 < x.size(); ++j) EXPECT_NEAR(x[j], expected[j], 1e-8);
   }
-  full.above.assign(full.pattern.row.size(), 1e-3 * Block::Identity());
-  return full;
-}
-
-TEST(BlockCholesky, StopsWithinTheWorkBetweenTwoChecks) {
-  constexpr int kSize = 300;  // 4.5 million block updates
-  const FullMatrix full = full_matrix(kSize);
-  BlockCholesky factor{full.pattern};
-  ASSERT_TRUE(factor.factorise(full.diagonal, full.above));
-  EXPECT_GT(factor.updates(), 4 * BlockCholesky::kUpdatesPerCheck);
-  std::stop_source stop;
-  stop.request_stop();
-  EXPECT_FALSE(factor.factorise(full.diagonal, full.above, stop.get_token()));
-  EXPECT_LE(factor.updates(), BlockCholesky::kUpdatesPerCheck + kSize * kSize / 2);  // and the longest row
-  ASSERT_TRUE(factor.factorise(full.diagonal, full.above));
 }
 
 }  // namespace

@@ -1,21 +1,21 @@
-#include "core/lp/interior_point/block_cholesky.h"
+#include "core/lp/elimination/block_cholesky.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace selvage::lp::interior_point {
+namespace selvage::lp::elimination {
 namespace {
 
 using Pair = Eigen::Vector2d;
 
 // Multiplies v by the inverse of a diagonal block of the factor.
-void solve_lower(const Block& diagonal, double& v0, double& v1) {
+void divide_lower(const Block& diagonal, double& v0, double& v1) {
   v0 *= diagonal(0, 0);
   v1 = (v1 - diagonal(1, 0) * v0) * diagonal(1, 1);
 }
 // Multiplies v by the inverse of its transpose.
-void solve_upper(const Block& diagonal, double& v0, double& v1) {
+void divide_upper(const Block& diagonal, double& v0, double& v1) {
   v1 *= diagonal(1, 1);
   v0 = (v0 - diagonal(1, 0) * v1) * diagonal(0, 0);
 }
@@ -38,7 +38,8 @@ bool factorise_block(Block& block) {
 
 }  // namespace
 
-BlockCholesky::BlockCholesky(BlockPattern pattern) : pattern_{std::move(pattern)} {
+BlockCholesky::BlockCholesky(BlockPattern pattern, std::size_t remaining)
+    : pattern_{std::move(pattern)}, eliminated_{pattern_.columns() - remaining} {
   find_rows();
   const std::size_t size = pattern_.columns();
   column_start_.assign(size + 1, 0);
@@ -52,6 +53,13 @@ BlockCholesky::BlockCholesky(BlockPattern pattern) : pattern_{std::move(pattern)
       column_[static_cast<std::size_t>(column_start_[i]) + static_cast<std::size_t>(filled_[i]++)] =
           static_cast<int>(k);
     }
+  }
+  eliminated_end_.assign(row_start_.begin() + 1, row_start_.end());
+  for (std::size_t k = eliminated_; k < size; ++k) {
+    eliminated_end_[k] =
+        static_cast<int>(std::lower_bound(row_.begin() + row_start_[k], row_.begin() + row_start_[k + 1],
+                                          static_cast<int>(eliminated_)) -
+                         row_.begin());
   }
   below_.resize(row_.size());
   diagonal_.resize(size);
@@ -99,11 +107,12 @@ bool BlockCholesky::factorise(std::span<const Block> diagonal, std::span<const B
       work[pattern_.row[e]] = above[e];
     }
     Block own = diagonal[k];
-    for (int t = row_start_[k]; t < row_start_[k + 1]; ++t) {
-      const auto i = static_cast<std::size_t>(row_[static_cast<std::size_t>(t)]);
+    const int* const row_end = row_.data() + eliminated_end_[k];
+    for (const int* row = row_.data() + row_start_[k]; row != row_end; ++row) {
+      const auto i = static_cast<std::size_t>(*row);
       Block part = std::exchange(work[i], Block::Zero());  // becomes the transpose of the factor's block (k, i)
-      solve_lower(diagonal_[i], part(0, 0), part(1, 0));
-      solve_lower(diagonal_[i], part(0, 1), part(1, 1));
+      divide_lower(diagonal_[i], part(0, 0), part(1, 0));
+      divide_lower(diagonal_[i], part(0, 1), part(1, 1));
       const int* column = column_.data() + column_start_[i];
       const int* const end = column + filled_[i];
       updates_ += static_cast<std::uint64_t>(filled_[i]++) + 1;
@@ -120,19 +129,43 @@ bool BlockCholesky::factorise(std::span<const Block> diagonal, std::span<const B
       own(1, 1) -= part(0, 1) * part(0, 1) + part(1, 1) * part(1, 1);
       *below = part.transpose();
     }
-    if (!factorise_block(own)) return false;
+    if (k >= eliminated_) {
+      keep_row(k);
+    } else if (!factorise_block(own)) {
+      return false;
+    }
     diagonal_[k] = own;
   }
   return true;
 }
 
+void BlockCholesky::keep_row(std::size_t k) {
+  for (int t = eliminated_end_[k]; t < row_start_[k + 1]; ++t) {
+    const auto i = static_cast<std::size_t>(row_[static_cast<std::size_t>(t)]);
+    below_[static_cast<std::size_t>(column_start_[i] + filled_[i]++)] =
+        std::exchange(work_[i], Block::Zero()).transpose();
+  }
+}
+
+const Block* BlockCholesky::remaining(std::size_t row, std::size_t column) const {
+  if (row == column) return &diagonal_[row];
+  const auto begin = column_.begin() + column_start_[column];
+  const auto end = column_.begin() + column_start_[column + 1];
+  const auto at = std::lower_bound(begin, end, static_cast<int>(row));
+  return at != end && *at == static_cast<int>(row) ? &below_[static_cast<std::size_t>(at - column_.begin())] : nullptr;
+}
+
 void BlockCholesky::solve(std::span<double> right_side) const {
+  solve_lower(right_side);
+  solve_upper(right_side);
+}
+
+void BlockCholesky::solve_lower(std::span<double> right_side) const {
   using Place = Eigen::Map<Pair>;
   double* const v = right_side.data();
-  const std::size_t size = pattern_.columns();
-  for (std::size_t k = 0; k < size; ++k) {
+  for (std::size_t k = 0; k < eliminated_; ++k) {
     Place own{v + 2 * k};
-    solve_lower(diagonal_[k], own[0], own[1]);
+    divide_lower(diagonal_[k], own[0], own[1]);
     const Pair known = own;
     const int* column = column_.data() + column_start_[k];
     const int* const end = column_.data() + column_start_[k + 1];
@@ -141,7 +174,12 @@ void BlockCholesky::solve(std::span<double> right_side) const {
       Place{v + index_of(*column)} -= below->col(0) * known[0] + below->col(1) * known[1];
     }
   }
-  for (std::size_t k = size; k-- > 0;) {
+}
+
+void BlockCholesky::solve_upper(std::span<double> right_side) const {
+  using Place = Eigen::Map<Pair>;
+  double* const v = right_side.data();
+  for (std::size_t k = eliminated_; k-- > 0;) {
     Place own{v + 2 * k};
     Pair left = own;
     const int* column = column_.data() + column_start_[k];
@@ -150,9 +188,9 @@ void BlockCholesky::solve(std::span<double> right_side) const {
     for (; column != end; ++column, ++below) {
       left -= below->transpose() * Place{v + index_of(*column)};
     }
-    solve_upper(diagonal_[k], left[0], left[1]);
+    divide_upper(diagonal_[k], left[0], left[1]);
     own = left;
   }
 }
 
-}  // namespace selvage::lp::interior_point
+}  // namespace selvage::lp::elimination

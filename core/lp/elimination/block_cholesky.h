@@ -4,6 +4,8 @@
 // indices are needed inside a block.  The factorisation is up-looking: it computes the factor row by row, each row by a
 // sparse triangular solve [Dav06 4].  The pattern of every row is computed once.
 // Blocks are stored in column-major order.
+// The last block columns may be left: the matrix that remains of them when the others have been eliminated is their
+// Schur complement, and both triangular solves leave them out.
 // Work is counted in block updates, each a product of two blocks.  When cancelled, a factorisation ends within
 // kUpdatesPerCheck of them and the longest row.
 // Invariant: block columns are in elimination order.
@@ -17,7 +19,7 @@
 
 #include <Eigen/Core>
 
-namespace selvage::lp::interior_point {
+namespace selvage::lp::elimination {
 
 using Block = Eigen::Matrix2d;  // column-major
 
@@ -33,7 +35,8 @@ class BlockCholesky {
  public:
   static constexpr std::uint64_t kUpdatesPerCheck = std::uint64_t{1} << 20;  // some milliseconds
 
-  explicit BlockCholesky(BlockPattern pattern);
+  // Leaves the last `remaining` block columns.  REQUIRES: there are as many.
+  explicit BlockCholesky(BlockPattern pattern, std::size_t remaining = 0);
 
   // Only the lower triangles of the diagonal blocks are read.  False when the matrix is not positive definite in
   // floating point, or when cancelled.
@@ -41,21 +44,36 @@ class BlockCholesky {
                                const std::stop_token& stop = {});
   // The block updates of the last factorisation.
   [[nodiscard]] std::uint64_t updates() const { return updates_; }
-  // Solves in place; a block column has two entries.
+  // Solves in place; a block column has two entries.  REQUIRES: all block columns have been eliminated.
   void solve(std::span<double> right_side) const;
+  // The two halves of that.  Between them the remaining entries have to be replaced with the solution of the remaining
+  // matrix: solve_lower turns them into its right-hand side, and solve_upper takes them as known.
+  void solve_lower(std::span<double> right_side) const;
+  void solve_upper(std::span<double> right_side) const;
+
+  // The block of the remaining matrix in a row and a column, row >= column; of a diagonal block, only the lower
+  // triangle is meaningful.  Null where the matrix has no block.  Stays at its address.
+  // REQUIRES: both are remaining block columns.
+  [[nodiscard]] const Block* remaining(std::size_t row, std::size_t column) const;
 
  private:
   void find_rows();
+  // Stores what is left of a row of the remaining matrix in work_, but for its diagonal block.
+  void keep_row(std::size_t k);
 
   BlockPattern pattern_;
+  std::size_t eliminated_;
   std::vector<int> row_start_, row_;  // the block columns of each row of the factor, ascending, without the diagonal
+  std::vector<int> eliminated_end_;   // in row_, the end of each row's columns that are eliminated
   std::vector<int> column_start_,
-      column_;                   // the block rows of each column of the factor, ascending, without the diagonal
-  std::vector<Block> below_;     // the factor's blocks below the diagonal, column by column
-  std::vector<Block> diagonal_;  // the factor's diagonal blocks [a 0; b c], stored as 1/a, b and 1/c
-  std::vector<Block> work_;      // the row of the factor being computed, transposed; zero between rows
-  std::vector<int> filled_;      // the number of finished blocks of each column
+      column_;  // the block rows of each column of the factor, ascending, without the diagonal
+  // Of the eliminated columns: the factor's blocks below the diagonal, column by column, and its diagonal blocks
+  // [a 0; b c], stored as 1/a, b and 1/c.  Of the others: the blocks of the remaining matrix.
+  std::vector<Block> below_;
+  std::vector<Block> diagonal_;
+  std::vector<Block> work_;  // the row of the factor being computed, transposed; zero between rows
+  std::vector<int> filled_;  // the number of finished blocks of each column
   std::uint64_t updates_{};
 };
 
-}  // namespace selvage::lp::interior_point
+}  // namespace selvage::lp::elimination
