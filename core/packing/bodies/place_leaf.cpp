@@ -136,8 +136,8 @@ std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
   return whole;
 }
 
-// Where a body may lie while the others stay, by the lines of the leaf; by those with the plane and with the bodies that
-// count.
+// Where a body may lie while the others stay, by the lines of the leaf; by those with the plane and with the bodies
+// that count.
 template <class Counts>
 std::vector<cells::HalfPlane> planes_of(const branching::Leaf& leaf, const std::vector<RealVec>& positions,
                                         std::uint32_t body, const Counts& counts) {
@@ -209,8 +209,7 @@ std::optional<std::vector<RealVec>> one_by_one(const Bodies& bodies, const branc
   for (std::uint32_t body = 0; body < columns.bodies; ++body) {
     const auto before = [body](std::uint32_t other) { return other < body; };
     const auto& range = bodies.problem.bodies[body].variants[leaf.variant[body]].range;
-    const auto points =
-        candidates(program.position(columns, body), planes_of(leaf, positions, body, before), range);
+    const auto points = candidates(program.position(columns, body), planes_of(leaf, positions, body, before), range);
     const auto point = std::ranges::find_if(points, [&](RealVec p) { return pinned(program, columns, body, p); });
     if (point == points.end()) return std::nullopt;
     positions[body] = *point;
@@ -290,7 +289,8 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
   if (!has_any && spacing == 0) return false;
   const auto stepwise = one_by_one(bodies, leaf, columns);
   if (stepwise && attempt(*stepwise)) return true;
-  const auto mended = repaired(placed(marker, bodies, leaf), bodies, leaf, run);
+  // A spacing's rings leave out a little at corners, so its layouts may overlap by more than rounding.
+  const auto mended = spacing == 0 ? std::nullopt : repaired(placed(marker, bodies, leaf), bodies, leaf, run);
   if (mended && attempt(*mended)) return true;
   for (const auto& [part, units] : kRooms) {
     const auto positions = with_room(bodies, leaf, columns, part * spacing + units);

@@ -70,8 +70,8 @@ std::optional<Split> best_split(const Relaxation& relaxation, const Problem& pro
     // A solution outside the ring but beyond the arc is in the hull of the arc's cells only.
     if (!found) continue;
     const RealBox& box = problem.rings[ring.ring].box();
-    const double weight = promise(found->depth - least, box.width() * box.height(), problem) *
-                          (1.0 + relaxation.conflicts(ring.ring));
+    const double weight =
+        promise(found->depth - least, box.width() * box.height(), problem) * (1.0 + relaxation.conflicts(ring.ring));
     if (weight <= most) continue;
     most = weight;
     split = Split{k, found->wedge};
