@@ -9,6 +9,8 @@ namespace selvage::nesting::depth {
 namespace {
 
 constexpr float kDiagonal = 0.7072F;  // half of a pixel's diagonal: no point is farther from the nearest sample
+constexpr int kBlock = 8;             // samples on the side of a block, whose nearest edges are found together
+constexpr std::int16_t kInside = 1, kOutside = -1;  // what samples are before their distance is known
 
 }  // namespace
 
@@ -36,30 +38,61 @@ void DepthMap::bound() {
   if (low_x_ >= high_x_ || low_y_ >= high_y_) low_x_ = high_x_ = low_y_ = high_y_ = 0;
 }
 
-// The inside is found row by row: between the first crossing with the boundary and the second, and so on.
 void DepthMap::sample() {
   const float pixel = scale_.pixel;
   first_column_ = static_cast<int>(std::floor(low_x_ / pixel)) - 1;
   first_row_ = static_cast<int>(std::floor(low_y_ / pixel)) - 1;
   columns_ = static_cast<int>(std::ceil(high_x_ / pixel)) + 2 - first_column_;
   rows_ = static_cast<int>(std::ceil(high_y_ / pixel)) + 2 - first_row_;
-  samples_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-  std::vector<float> crossings;
-  std::int16_t* sample = samples_.data();
-  for (int row = 0; row < rows_; ++row) {
-    const float y = static_cast<float>(first_row_ + row) * pixel;
-    crossings.clear();
-    for (std::size_t k = 0; k < boundary_.edges; ++k) {
-      if ((boundary_.ay[k] > y) == (boundary_.end_y[k] > y)) continue;
-      crossings.push_back(boundary_.ax[k] + (y - boundary_.ay[k]) * boundary_.run[k]);
+  samples_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kOutside);
+  for (int row = 0; row < rows_; ++row) mark_inside(row);
+  Boundary near;
+  std::vector<float> squared;
+  for (int row = 0; row < rows_; row += kBlock) {
+    for (int column = 0; column < columns_; column += kBlock) {
+      keep_near(column, row, squared, near);
+      sample_block(column, row, near);
     }
-    std::sort(crossings.begin(), crossings.end());
-    std::size_t passed = 0;
-    for (int column = 0; column < columns_; ++column, ++sample) {
-      const float x = static_cast<float>(first_column_ + column) * pixel;
-      while (passed < crossings.size() && crossings[passed] <= x) ++passed;
-      const float distance = std::sqrt(squared_distance(boundary_, x, y));
-      *sample = encoded((passed % 2 == 1 ? distance : -distance) + clearance_);
+  }
+}
+
+// Between the first crossing of the row with the boundary and the second, and so on.
+void DepthMap::mark_inside(int row) {
+  const float y = y_of(row);
+  std::vector<float> crossings;
+  for (std::size_t k = 0; k < boundary_.edges; ++k) {
+    if ((boundary_.ay[k] > y) == (boundary_.end_y[k] > y)) continue;
+    crossings.push_back(boundary_.ax[k] + (y - boundary_.ay[k]) * boundary_.run[k]);
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::size_t passed = 0;
+  for (int column = 0; column < columns_; ++column) {
+    while (passed < crossings.size() && crossings[passed] <= x_of(column)) ++passed;
+    if (passed % 2 == 1) samples_[index_of(column, row)] = kInside;
+  }
+}
+
+// The edges that can be the nearest one to a sample of the block: no sample is farther from its middle than the radius,
+// so their distances from the middle exceed the least one by at most two radii.
+void DepthMap::keep_near(int column, int row, std::vector<float>& squared, Boundary& near) const {
+  constexpr float kMiddle = (kBlock - 1) / 2.0F;
+  const float radius = kDiagonal * kBlock * scale_.pixel;  // by half a pixel's diagonal larger than need be
+  const Nearness nearness =
+      nearness_of_each(boundary_, x_of(column) + kMiddle * scale_.pixel, y_of(row) + kMiddle * scale_.pixel, squared);
+  const float limit = std::sqrt(nearness.squared_distance) + 2 * radius;
+  near.clear();
+  for (std::size_t k = 0; k < boundary_.edges; ++k) {
+    if (squared[k] <= limit * limit) near.add(boundary_, k);
+  }
+  near.finish();
+}
+
+void DepthMap::sample_block(int first_column, int first_row, const Boundary& near) {
+  for (int row = first_row; row < std::min(rows_, first_row + kBlock); ++row) {
+    for (int column = first_column; column < std::min(columns_, first_column + kBlock); ++column) {
+      const float distance = std::sqrt(squared_distance(near, x_of(column), y_of(row)));
+      std::int16_t& sample = samples_[index_of(column, row)];
+      sample = encoded((sample == kInside ? distance : -distance) + clearance_);
     }
   }
 }

@@ -56,6 +56,14 @@ class DepthMap {
  private:
   void bound();
   void sample();
+  void mark_inside(int row);
+  void keep_near(int column, int row, std::vector<float>& squared, Boundary& near) const;
+  void sample_block(int first_column, int first_row, const Boundary& near);
+  [[nodiscard]] float x_of(int column) const { return static_cast<float>(first_column_ + column) * scale_.pixel; }
+  [[nodiscard]] float y_of(int row) const { return static_cast<float>(first_row_ + row) * scale_.pixel; }
+  [[nodiscard]] std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
   [[nodiscard]] std::int16_t encoded(float signed_depth) const;
   [[nodiscard]] float decoded(std::int16_t sample) const;
 

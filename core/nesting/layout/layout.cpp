@@ -68,6 +68,15 @@ RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece)
   return {box.low_x + place.x, box.low_y + place.y, box.high_x + place.x, box.high_y + place.y};
 }
 
+bool may_meet(const PieceSet& set, const Turned& first, const Place& at_first, const Turned& second,
+              const Place& at_second, double reach) {
+  const double x = at_second.x - at_first.x;
+  const double y = at_second.y - at_first.y;
+  const double apart = std::max(0.0, set.clearance(first.outline, second.outline)) + reach;
+  return first.box.low_x < second.box.high_x + x + apart && first.box.high_x > second.box.low_x + x - apart &&
+         first.box.low_y < second.box.high_y + y + apart && first.box.high_y > second.box.low_y + y - apart;
+}
+
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y) {
   Place& place = layout.places[piece];
   const RealBox& box = set.kind(piece).turned[place.turn].box;

@@ -32,6 +32,10 @@ struct Layout {
                                   double y);
 // The piece's box where it lies.
 [[nodiscard]] RealBox placed_box(const PieceSet& set, const Layout& layout, std::size_t piece);
+// False when two pieces that lie there are farther apart on an axis than their clearance and `reach`, going by their
+// boxes alone.
+[[nodiscard]] bool may_meet(const PieceSet& set, const Turned& first, const Place& at_first, const Turned& second,
+                            const Place& at_second, double reach);
 // Puts the piece's middle there, or as near as its inner fit allows.
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y);
 

@@ -65,7 +65,10 @@ float Losses::pair_loss(const layout::Layout& layout, std::size_t first, std::si
   if (set_->fixed[first] && set_->fixed[second]) return 0;
   const layout::Place& p = layout.places[first];
   const layout::Place& q = layout.places[second];
-  const depth::MapView view = maps_->view(set_->kind(first).turned[p.turn], set_->kind(second).turned[q.turn]);
+  const layout::Turned& one = set_->kind(first).turned[p.turn];
+  const layout::Turned& other = set_->kind(second).turned[q.turn];
+  if (!may_meet(*set_, one, p, other, q, maps_->scale().pixel)) return 0;  // most pairs never need a map
+  const depth::MapView view = maps_->view(one, other);
   const float depth = view.depth(static_cast<float>(q.x - p.x), static_cast<float>(q.y - p.y));
   return importance(first, second) * charged(depth);
 }

@@ -18,6 +18,7 @@ void Neighbourhood::gather(const layout::Layout& layout, std::size_t piece, cons
     if (other == piece) continue;
     const layout::Place& at = layout.places[other];
     const layout::Turned& theirs = set_->kind(other).turned[at.turn];
+    if (!may_meet(*set_, theirs, at, own, place, reach + maps_->scale().pixel)) continue;
     const double x = place.x - at.x;
     const double y = place.y - at.y;
     const depth::MapView view = maps_->view(theirs, own);

@@ -8,6 +8,7 @@
 #include "core/geometry/distance.h"
 #include "core/geometry/overlap.h"
 #include "core/nesting/depth/depth_maps.h"
+#include "core/nesting/layout/layout.h"
 #include "core/nesting/layout/piece_set.h"
 #include "tests/core/nesting/unplaced_pieces.h"
 
@@ -121,6 +122,48 @@ TEST(DepthMap, ItsGridHoldsTheChargedDepths) {
       }
     }
   }
+}
+
+TEST(DepthMap, ItsGridHoldsTheDistanceToTheWholeBoundary) {
+  Random random{4};
+  for (int trial = 0; trial < 20; ++trial) {
+    const Marker marker = two_shapes(random);
+    Pair pair{marker};
+    const DepthMap& map = *pair.maps.view(pair.turned(0, 0), pair.turned(1, 0)).map;
+    const DepthMap::Grid grid = map.grid();
+    for (int row = 0; row < grid.rows; ++row) {
+      for (int column = 0; column < grid.columns; ++column) {
+        const float read = static_cast<float>(grid.samples[row * grid.columns + column]) * kScale.pixel;
+        const float depth = read * DepthMap::kSample - (read > 0 ? kScale.charge : 0);
+        const float distance =
+            std::sqrt(squared_distance(map.boundary(), static_cast<float>(grid.first_column + column) * kScale.pixel,
+                                       static_cast<float>(grid.first_row + row) * kScale.pixel));
+        EXPECT_NEAR(std::abs(depth), distance, kScale.pixel * DepthMap::kSample) << "trial " << trial;
+      }
+    }
+  }
+}
+
+TEST(DepthMap, PiecesThatMayNotMeetHaveNoDepth) {
+  Random random{5};
+  int apart = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    Marker marker = two_shapes(random);
+    marker.spacing = trial % 2 == 0 ? 0 : 20'000;
+    Pair pair{marker};
+    const auto& p = pair.turned(0, static_cast<std::size_t>(trial) % 8);
+    const auto& q = pair.turned(1, static_cast<std::size_t>(trial) / 8);
+    for (int point = 0; point < 50; ++point) {
+      const auto coordinate = [&] {
+        return static_cast<double>(random.between(-3 * test::kSide, 3 * test::kSide)) / 1000;
+      };
+      const layout::Place at{coordinate(), coordinate(), 0};
+      if (may_meet(pair.set, p, {}, q, at, 0)) continue;
+      ++apart;
+      EXPECT_LE(pair.maps.view(p, q).depth(static_cast<float>(at.x), static_cast<float>(at.y)), 0.01F);
+    }
+  }
+  EXPECT_GT(apart, 100);
 }
 
 TEST(DepthMaps, ForgetsNothingButMemory) {
