@@ -30,7 +30,7 @@ class Popper {
 
   std::optional<Popping> run() {
     auto separated = separate(start_, true);
-    if (!separated || !separated->apart || separated->popped.size() > tuning_.pops) return std::nullopt;
+    if (!separated || !separated->apart) return std::nullopt;
     marker_ = std::move(separated->marker);
     std::vector<Piece> popped;
     for (const PieceId id : separated->popped) popped.push_back(start_.pieces[id.value]);
@@ -50,6 +50,7 @@ class Popper {
     settings.rounds = tuning_.separation_rounds;
     settings.grow = tuning_.growth;
     settings.pop_out = pop_out;
+    settings.most_popped = tuning_.pops;
     settings.small = tuning_.trim * substitution::placed_area(start_) / static_cast<double>(start_.pieces.size());
     settings.tuning.patience = tuning_.separation_patience;
     auto separated = motion::separation::separate(marker, settings, run_.quiet());

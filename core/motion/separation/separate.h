@@ -4,7 +4,7 @@
 // Method.  Each round aims every overlapping pair at a point on the boundary of its Minkowski sum and solves one linear
 // program: it minimises the sum of |dx| + |dy| from where the pieces were; its rows may be violated at a price; the
 // marker may become longer than allowed at a price, which later rounds take back.  Pieces outside the strip are first
-// moved to its edge.
+// moved to its edge.  What only rounding has left is repaired (core/motion/repair/repair.h).
 // Laws.  (1) `apart` is proved in integers.  (2) The marker is never longer than (1 + grow) times its length before,
 // nor than the cloth.  (3) Locked pieces stay in place to the lattice unit.  (4) The same input and settings give the
 // same answer, whatever the cache holds.  (5) If pieces still overlap, the sum of depths is no larger than in the input
@@ -12,6 +12,8 @@
 // found so far, or the input with its pieces moved into the strip if there is none.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "core/base/result.h"
@@ -29,6 +31,7 @@ struct SeparationSettings {
   repair::TargetRule target{repair::TargetRule::kNearest};
   bool pop_out{};  // remove the pieces that prevent separation
   double small{};  // pieces up to this area, in square lattice units, are removed before others
+  std::size_t most_popped{std::numeric_limits<std::size_t>::max()};  // it gives up when more would have to be removed
   lp::solver::SolverChoice solver{lp::solver::SolverChoice::kAutomatic};
   SeparationTuning tuning{};
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;

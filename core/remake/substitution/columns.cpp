@@ -41,13 +41,12 @@ void Columns::set(std::size_t piece, const Polygon& placed) {
   if (piece >= profiles_.size()) {
     profiles_.resize(piece + 1);
     demands_.resize(piece + 1);
-    for (auto& demands : demands_) demands.resize(piece + 1, kNotAbove);
   }
   profiles_[piece] = std::move(profile);
   for (std::size_t other = 0; other < profiles_.size(); ++other) {
     if (other == piece) continue;
-    demands_[piece][other] = demand(profiles_[piece], profiles_[other]);
-    demands_[other][piece] = demand(profiles_[other], profiles_[piece]);
+    set_demand(piece, other, demand(profiles_[piece], profiles_[other]));
+    set_demand(other, piece, demand(profiles_[other], profiles_[piece]));
   }
 }
 
@@ -67,6 +66,19 @@ double Columns::demand(const Profile& lower, const Profile& upper) const {
   return higher > 0 ? by + static_cast<double>(spacing_) : kNotAbove;
 }
 
+void Columns::set_demand(std::size_t lower, std::size_t upper, double demand) {
+  std::vector<Demand>& demands = demands_[upper];
+  const auto at = std::ranges::lower_bound(demands, lower, {}, &Demand::lower);
+  const bool known = at != demands.end() && at->lower == lower;
+  if (demand == kNotAbove) {
+    if (known) demands.erase(at);
+  } else if (known) {
+    at->by = demand;
+  } else {
+    demands.insert(at, {lower, demand});
+  }
+}
+
 Columns::Excess Columns::excess() const {
   const std::size_t count = profiles_.size();
   std::vector<std::size_t> upwards(count);
@@ -74,6 +86,8 @@ Columns::Excess Columns::excess() const {
   std::stable_sort(upwards.begin(), upwards.end(), [this](std::size_t a, std::size_t b) {
     return profiles_[a].lowest + profiles_[a].highest < profiles_[b].lowest + profiles_[b].highest;
   });
+  std::vector<std::size_t> rank(count);
+  for (std::size_t k = 0; k < count; ++k) rank[upwards[k]] = k;
   std::vector<double> raised(count);  // how far each piece must move up at least
   std::vector<std::size_t> under(count, count);
   const auto bottom = static_cast<double>(strip_.margin);
@@ -84,10 +98,11 @@ Columns::Excess Columns::excess() const {
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t upper = upwards[k];
     raised[upper] = bottom - profiles_[upper].lowest;
-    for (std::size_t below = 0; below < k; ++below) {
-      const std::size_t lower = upwards[below];
-      const double at_least = raised[lower] + demands_[lower][upper];
-      if (at_least <= raised[upper]) continue;
+    for (const auto& [lower, by] : demands_[upper]) {
+      if (rank[lower] > k) continue;
+      const double at_least = raised[lower] + by;
+      const bool first = at_least == raised[upper] && under[upper] < count && rank[lower] < rank[under[upper]];
+      if (at_least < raised[upper] || (at_least == raised[upper] && !first)) continue;
       raised[upper] = at_least;
       under[upper] = lower;
     }

@@ -46,12 +46,19 @@ class Columns {
   // How much higher the upper piece must lie at least than the lower one does; minus infinity when it does not lie
   // above it.
   [[nodiscard]] double demand(const Profile& lower, const Profile& upper) const;
+  // Notes a demand of -infinity as well, which ends what was demanded before.
+  void set_demand(std::size_t lower, std::size_t upper, double demand);
 
   Strip strip_;
   Coord spacing_;
   ColumnSampling sampling_;
+  struct Demand {
+    std::size_t lower{};
+    double by{};
+  };
+
   std::vector<Profile> profiles_;
-  std::vector<std::vector<double>> demands_;  // by the lower and the upper piece
+  std::vector<std::vector<Demand>> demands_;  // by the upper piece: of those that it lies above, by the lower piece
 };
 
 }  // namespace selvage::remake::substitution

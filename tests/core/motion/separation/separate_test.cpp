@@ -150,6 +150,34 @@ TEST(Separate, PopsOutPiecesThatBlockTheSeparation) {
   EXPECT_EQ(kept.marker.pieces[0], locked.pieces[0]);
 }
 
+TEST(Separate, GivesUpWhenMorePiecesWouldHaveToGo) {
+  Marker start = overfull();
+  for (std::uint32_t k = 0; k < 3; ++k) {  // a second column as full as the first
+    Piece piece = start.pieces[k];
+    piece.id += "+";
+    piece.at.x += 200;
+    start.pieces.push_back(piece);
+  }
+  for (const std::size_t most : {std::size_t{0}, std::size_t{1}}) {
+    const auto result = separated(start, {.pop_out = true, .most_popped = most});
+    EXPECT_FALSE(result.apart);
+    EXPECT_TRUE(result.popped.empty());
+  }
+  const auto result = separated(start, {.pop_out = true, .most_popped = 2});
+  EXPECT_TRUE(result.apart);
+  EXPECT_EQ(result.popped.size(), 2U);
+}
+
+TEST(Separate, RepairsWhatOnlyRoundingHasLeft) {
+  test::Layout layout{50'000};
+  const auto square = layout.shape_of(test::rectangle(20'000, 20'000));
+  layout.put(square, {0, 0}).put(square, {19'998, 0}).put(square, {39'997, 0});
+  const auto result = separated(layout.marker(), {.grow = 0.001});
+  EXPECT_TRUE(result.apart);
+  EXPECT_EQ(result.rounds, 0);
+  EXPECT_EQ(result.length_after, 60'000);
+}
+
 // Two blocks and a trim between them are higher than the strip, and so are the blocks without the trim.
 TEST(Separate, PopsSmallPiecesFirst) {
   test::Layout layout{500};
