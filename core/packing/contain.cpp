@@ -7,6 +7,7 @@
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
+#include "core/packing/nearby.h"
 
 namespace selvage::packing {
 namespace {
@@ -48,10 +49,11 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   result.length_before = result.length_after = length_of(start);
   const bodies::OnCloth cloth = bodies::on_cloth(start, pieces, settings.clearance);
   const Box strip = room_until(start.strip, kLatticeLimit);
-  bodies::Freedom freedom{with_groups(cloth.marker, cloth.wanted), within(container, strip), settings.turns,
-                          settings.clearance};
+  const Container room = within(container, strip);
+  const Nearby part = nearby(cloth.marker, with_groups(cloth.marker, cloth.wanted), room.box);
+  bodies::Freedom freedom{part.moving, room, settings.turns, settings.clearance};
   freedom.container.box = freedom.container.box.grown(-settings.clearance);
-  const bodies::Bodies bodies = bodies_of(cloth.marker, freedom, run);
+  const bodies::Bodies bodies = bodies_of(part.marker, freedom, run);
   if (!bodies.complete) {
     result.verdict = Verdict::kUndecided;
     result.reason = run.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
@@ -59,9 +61,9 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   }
   run.observer.on_stage(scene::Stage::kSolve);
   branching::SearchCalls calls;
-  calls.place_leaf = [&](branching::Leaf& leaf) { return place_leaf(cloth.marker, bodies, freedom, run, leaf); };
+  calls.place_leaf = [&](branching::Leaf& leaf) { return place_leaf(part.marker, bodies, freedom, run, leaf); };
   calls.on_leaf = [&](const branching::Leaf& leaf) {
-    result.marker = bodies::as_in(start, placed(cloth.marker, bodies, leaf));
+    result.marker = bodies::as_in(start, as_part_of(cloth.marker, part, placed(part.marker, bodies, leaf)));
   };
   calls.on_round = [&](double, const branching::Work& work) {
     run.observer.on_round({++result.rounds, result.length_before, std::nullopt, work.nodes});

@@ -32,13 +32,43 @@ std::optional<RealVec> in_column(double x, RealVec from, std::span<const HalfPla
 
 std::optional<RealVec> in_columns(RealVec from, std::span<const HalfPlane> planes, const RealBox& box) {
   const double middle = std::round(from.x);
-  for (double away = 0; away <= kFarthest; ++away) {
+  const double farthest = std::max(middle - box.low_x, box.high_x - middle);
+  for (double away = 0; away <= farthest; ++away) {
     for (const double x : {middle + away, middle - away}) {
       if (x < box.low_x || x > box.high_x) continue;
       if (const auto point = in_column(x, from, planes, box)) return point;
     }
   }
   return std::nullopt;
+}
+
+// The box of the points of a box in all half-planes, beyond which they may lie by twice the rounding; empty (high <
+// low) when there are none.
+RealBox box_of_common(std::span<const HalfPlane> planes, const RealBox& box) {
+  std::vector<RealVec> corners{
+      {box.low_x, box.low_y}, {box.high_x, box.low_y}, {box.high_x, box.high_y}, {box.low_x, box.high_y}};
+  std::vector<RealVec> kept;
+  for (const HalfPlane& plane : planes) {
+    kept.clear();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const RealVec p = corners[k];
+      const RealVec q = corners[(k + 1) % corners.size()];
+      const double room_p = plane.room(p) + 2 * kRounding;
+      const double room_q = plane.room(q) + 2 * kRounding;
+      if (room_p >= 0) kept.push_back(p);
+      if ((room_p >= 0) == (room_q >= 0)) continue;
+      const double t = room_p / (room_p - room_q);
+      kept.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+    }
+    corners.swap(kept);
+  }
+  RealBox common{box.high_x, box.high_y, box.low_x, box.low_y};
+  for (const RealVec corner : corners) {
+    common = {std::min(common.low_x, corner.x), std::min(common.low_y, corner.y), std::max(common.high_x, corner.x),
+              std::max(common.high_y, corner.y)};
+  }
+  return {std::max(std::floor(common.low_x), box.low_x), std::max(std::floor(common.low_y), box.low_y),
+          std::min(std::ceil(common.high_x), box.high_x), std::min(std::ceil(common.high_y), box.high_y)};
 }
 
 RealVec mirrored(RealVec p) {
@@ -57,8 +87,10 @@ std::optional<RealVec> lattice_point_near(RealVec from, std::span<const HalfPlan
     along.push_back(plane);
     across.push_back({plane.ny, plane.nx, plane.c});
   }
-  if (const auto point = in_columns(from, along, near)) return point;
-  const auto point = in_columns(mirrored(from), across, {near.low_y, near.low_x, near.high_y, near.high_x});
+  const RealBox common = box_of_common(along, near);
+  if (common.low_x > common.high_x) return std::nullopt;
+  if (const auto point = in_columns(from, along, common)) return point;
+  const auto point = in_columns(mirrored(from), across, {common.low_y, common.low_x, common.high_y, common.high_x});
   return point ? std::optional{mirrored(*point)} : std::nullopt;
 }
 

@@ -29,6 +29,7 @@ constexpr double kReach = 1e-4;
 constexpr double kLeastReach = 64;
 
 constexpr int kLatticeSweeps = 3;
+constexpr double kKept = 1e-4;  // lattice units: a line that a lattice point is beyond by less counts as kept
 
 // The room that contacts are given when nothing else helps: `part` of the spacing and so many lattice units.  Rings
 // leave out up to a hundredth of the spacing at corners, and on coarse lattices some units (spaced_rings.h).
@@ -135,32 +136,85 @@ std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
   return whole;
 }
 
-// Where a body may lie while the others stay, by the lines of the leaf.
+// Where a body may lie while the others stay, by the lines of the leaf; by those with the plane and with the bodies
+// that count.
+template <class Counts>
 std::vector<cells::HalfPlane> planes_of(const branching::Leaf& leaf, const std::vector<RealVec>& positions,
-                                        std::uint32_t body) {
-  const auto at = [&](std::uint32_t other) { return other == positions.size() ? RealVec{} : positions[other]; };
+                                        std::uint32_t body, const Counts& counts) {
+  const auto is_plane = [&](std::uint32_t other) { return other == positions.size(); };
+  const auto at = [&](std::uint32_t other) { return is_plane(other) ? RealVec{} : positions[other]; };
   std::vector<cells::HalfPlane> planes;
   for (const Row& row : leaf.rows) {
+    if (row.first != body && row.second != body) continue;
+    const std::uint32_t other = row.first == body ? row.second : row.first;
+    if (!is_plane(other) && !counts(other)) continue;
     const cells::HalfPlane& plane = row.plane;
-    if (row.second == body) planes.push_back({plane.nx, plane.ny, plane.room(at(row.first)) + 2 * plane.c});
-    if (row.first == body) planes.push_back({-plane.nx, -plane.ny, -plane.room(at(row.second))});
+    if (row.second == body) planes.push_back({plane.nx, plane.ny, plane.room(at(other)) + 2 * plane.c});
+    if (row.first == body) planes.push_back({-plane.nx, -plane.ny, -plane.room(at(other))});
   }
   return planes;
 }
 
 // Moves bodies that violate a line to lattice points nearby that violate none, one after another.
 void step_on_lattice(const Bodies& bodies, const branching::Leaf& leaf, std::vector<RealVec>& positions) {
+  const auto everybody = [](std::uint32_t) { return true; };
   bool any = true;
   for (int sweep = 0; sweep < kLatticeSweeps && any; ++sweep) {
     any = false;
     for (std::uint32_t body = 0; body < positions.size(); ++body) {
       const auto& range = bodies.problem.bodies[body].variants[leaf.variant[body]].range;
-      const auto point = lattice_point_near(positions[body], planes_of(leaf, positions, body), range);
+      const auto point = lattice_point_near(positions[body], planes_of(leaf, positions, body, everybody), range);
       if (!point || (point->x == positions[body].x && point->y == positions[body].y)) continue;
       positions[body] = *point;
       any = true;
     }
   }
+}
+
+// The lattice points around `at` that keep the lines, or else one near it.
+std::vector<RealVec> candidates(RealVec at, std::span<const cells::HalfPlane> planes, const RealBox& range) {
+  std::vector<RealVec> points;
+  for (const double x : {std::floor(at.x), std::ceil(at.x)}) {
+    for (const double y : {std::floor(at.y), std::ceil(at.y)}) {
+      const bool inside = x >= range.low_x && x <= range.high_x && y >= range.low_y && y <= range.high_y;
+      const auto keeps = [&](const cells::HalfPlane& plane) { return plane.room({x, y}) >= -kKept; };
+      if (inside && std::ranges::all_of(planes, keeps)) points.push_back({x, y});
+    }
+  }
+  if (!points.empty()) return points;
+  const auto point = lattice_point_near(at, planes, range);
+  return point ? std::vector{*point} : points;
+}
+
+// Keeps a body at a point; false when the others then have no solution.
+bool pinned(Dictionary& program, const Columns& columns, std::uint32_t body, RealVec point) {
+  const auto world = static_cast<std::uint32_t>(columns.bodies);
+  Dictionary narrower = program;
+  narrower.add(columns, {world, body, false, {1, 0, point.x}});
+  narrower.add(columns, {world, body, false, {0, 1, point.y}});
+  narrower.add(columns, {body, world, false, {1, 0, -point.x}});
+  narrower.add(columns, {body, world, false, {0, 1, -point.y}});
+  if (!has_solution(narrower, columns)) return false;
+  program = std::move(narrower);
+  return true;
+}
+
+// Bodies go to lattice points one after another, and all that are not on one yet give way: so pieces that touch each
+// other in a row between two others share what little room there is.
+std::optional<std::vector<RealVec>> one_by_one(const Bodies& bodies, const branching::Leaf& leaf,
+                                               const Columns& columns) {
+  Dictionary program = program_of(bodies, leaf, columns, {true, false});
+  if (!has_solution(program, columns)) return std::nullopt;
+  std::vector<RealVec> positions(columns.bodies);
+  for (std::uint32_t body = 0; body < columns.bodies; ++body) {
+    const auto before = [body](std::uint32_t other) { return other < body; };
+    const auto& range = bodies.problem.bodies[body].variants[leaf.variant[body]].range;
+    const auto points = candidates(program.position(columns, body), planes_of(leaf, positions, body, before), range);
+    const auto point = std::ranges::find_if(points, [&](RealVec p) { return pinned(program, columns, body, p); });
+    if (point == points.end()) return std::nullopt;
+    positions[body] = *point;
+  }
+  return positions;
 }
 
 // The bodies' positions once the small overlaps of a layout are repaired; all other pieces stay.
@@ -220,17 +274,24 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
     return proved;
   };
   if (attempt(leaf.positions)) return true;
+  bool has_any = false;
   for (const ProgramKind kind : {ProgramKind{true, true}, {true, false}, {false, true}, {false, false}}) {
     const auto positions = solved(bodies, leaf, columns, kind);
     if (!positions) continue;
+    has_any = true;
     std::vector<RealVec> whole = snapped_to_lattice(*positions);
     if (attempt(whole) || attempt(*positions)) return true;
     step_on_lattice(bodies, leaf, whole);
     if (attempt(std::move(whole))) return true;
   }
-  const auto mended = repaired(placed(marker, bodies, leaf), bodies, leaf, run);
-  if (mended && attempt(*mended)) return true;
   const auto spacing = static_cast<double>(marker::PlacedPieces{marker}.widest_spacing());
+  // Without a spacing, the lines are those of the sums: nothing in these wedges is valid where they have no solution.
+  if (!has_any && spacing == 0) return false;
+  const auto stepwise = one_by_one(bodies, leaf, columns);
+  if (stepwise && attempt(*stepwise)) return true;
+  // A spacing's rings leave out a little at corners, so its layouts may overlap by more than rounding.
+  const auto mended = spacing == 0 ? std::nullopt : repaired(placed(marker, bodies, leaf), bodies, leaf, run);
+  if (mended && attempt(*mended)) return true;
   for (const auto& [part, units] : kRooms) {
     const auto positions = with_room(bodies, leaf, columns, part * spacing + units);
     if (positions && attempt(snapped_to_lattice(*positions))) return true;

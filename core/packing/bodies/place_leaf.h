@@ -3,8 +3,8 @@
 // The rows of a search are moved outwards by a little, so its solutions overlap by a few units.  Here the program of
 // the leaf is solved once more, with the exact lines of the wedges that the solution lies in.  Rounding then breaks
 // slanted contacts by less than a unit; they get a margin of that size where there is room for it, and bodies without
-// room move to lattice points nearby that keep all lines (lattice_point.h).  Where that does not help, as at corners
-// that keep a spacing, small overlaps are repaired (core/motion/repair/repair.h).
+// room move to lattice points nearby that keep all lines (lattice_point.h), all at once or one after another.  Where
+// that does not help, as at corners that keep a spacing, small overlaps are repaired (core/motion/repair/repair.h).
 #pragma once
 
 #include "core/packing/bodies/bodies.h"

@@ -55,7 +55,13 @@ std::optional<std::uint32_t> undecided(const Problem& problem, const Node& node)
   return largest;
 }
 
-std::optional<Split> deepest(const Relaxation& relaxation, const Problem& problem, const Node& node, double least) {
+// What splitting a ring promises, by its depth and the area of its box.  Where any layout will do, it matters less how
+// deep a solution happens to lie than how much the two bodies are in each other's way.
+double promise(double depth, double area, const Problem& problem) {
+  return problem.minimises_length ? depth * std::sqrt(area) : std::sqrt(std::sqrt(depth)) * area;
+}
+
+std::optional<Split> best_split(const Relaxation& relaxation, const Problem& problem, const Node& node, double least) {
   std::optional<Split> split;
   double most = 0;
   for (std::size_t k = 0; k < node.rings.size(); ++k) {
@@ -65,7 +71,7 @@ std::optional<Split> deepest(const Relaxation& relaxation, const Problem& proble
     if (!found) continue;
     const RealBox& box = problem.rings[ring.ring].box();
     const double weight =
-        (found->depth - least) * std::sqrt(box.width() * box.height()) * (1.0 + relaxation.conflicts(ring.ring));
+        promise(found->depth - least, box.width() * box.height(), problem) * (1.0 + relaxation.conflicts(ring.ring));
     if (weight <= most) continue;
     most = weight;
     split = Split{k, found->wedge};
@@ -146,7 +152,7 @@ Children children(Relaxation& relaxation, const Problem& problem, const Node& no
       attempt([&](Node& child) { return relaxation.decide(child, *body, variant) && relaxation.limit_length(child); });
     }
   } else {
-    const auto split = deepest(relaxation, problem, node, depth);
+    const auto split = best_split(relaxation, problem, node, depth);
     found.leaf = !split;
     if (!split) return found;
     const RingState& ring = node.rings[split->ring];

@@ -1,8 +1,9 @@
 // Branching: from a node whose solution still overlaps to children that cover all its layouts.
 //
-// First the orientations are decided, of large bodies first.  Then the ring in which the solution lies deepest, weighed
-// by the ring's size and by how often looks at it have found a conflict [BHLS04], is split: a whole ring into about
-// four arcs that meet at the ray through the solution, an arc into two, a short arc into its wedges.
+// First the orientations are decided, of large bodies first.  Then a ring in which the solution lies is split, chosen
+// by the depth there, by the ring's size, which counts for more where any layout will do, and by how often looks at it
+// have found a conflict [BHLS04]: a whole ring into about four arcs that meet at the ray through the solution, an arc
+// into two, a short arc into its wedges.
 #pragma once
 
 #include <vector>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -71,14 +72,15 @@ class Rounds {
     calls_.on_round(bound(), outcome_.work);
   }
 
-  // Brings the subtrees with the least bounds to the front.
+  // Brings the subtrees with the least bounds to the front; of equal ones, those that were explored least, because a
+  // layout may be easy to find in any of them.
   void sort_most_promising(std::size_t count) {
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t k = 0; k < open_.size(); ++k) order.emplace_back(open_[k].bound(), k);
+    std::vector<std::tuple<double, std::uint64_t, std::size_t>> order;
+    for (std::size_t k = 0; k < open_.size(); ++k) order.emplace_back(open_[k].bound(), open_[k].explored(), k);
     std::sort(order.begin(), order.end());
     order.resize(count);
     std::vector<std::size_t> chosen;
-    for (const auto& [bound, k] : order) chosen.push_back(k);
+    for (const auto& [bound, explored, k] : order) chosen.push_back(k);
     std::sort(chosen.begin(), chosen.end());
     for (std::size_t k = 0; k < count; ++k) std::swap(open_[k], open_[chosen[k]]);
   }

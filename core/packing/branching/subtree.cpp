@@ -37,6 +37,7 @@ void Subtree::explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_le
 
 bool Subtree::expand(const Node& node, double gap, const PlaceLeaf& place_leaf) {
   ++relaxation_.work().nodes;
+  ++explored_;
   relaxation_.forget_hulls_from(node.hulls);
   Children below = children(relaxation_, *problem_, node, tuning_, relaxation_.tolerance());
   if (below.leaf) {

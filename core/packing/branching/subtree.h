@@ -35,6 +35,7 @@ class Subtree {
   void lower_ceiling(double ceiling);
 
   [[nodiscard]] bool done() const { return stack_.empty(); }
+  [[nodiscard]] std::uint64_t explored() const { return explored_; }  // nodes so far
   // No layout that is still to be found in it is shorter; infinite when done.
   [[nodiscard]] double bound() const;
   // The least length of a leaf that was not placed, or was placed to be longer than the gap; infinite when there is
@@ -62,6 +63,7 @@ class Subtree {
   std::vector<Node> stack_;
   std::vector<Reasons> conflicts_;  // of the nodes on the way to the next one: why their closed children are closed
   std::vector<Leaf> leaves_;
+  std::uint64_t explored_{};
   double undecided_{std::numeric_limits<double>::infinity()};
 };
 

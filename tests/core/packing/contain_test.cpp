@@ -100,6 +100,45 @@ TEST(Contain, IsUndecidedAtTheWorkLimit) {
   EXPECT_EQ(result.reason, scene::StopReason::kWorkLimit);
 }
 
+// Three pieces side by side fill a slanted channel that is a unit wider than they are: each of them has to give the
+// others a part of that.
+TEST(Contain, PlacesARowThatLeavesAUnitAcross) {
+  test::Layout layout{20'000};
+  const auto below = layout.shape_of({{0, 0}, {12'000, 0}, {12'000, 9'040}, {0, 5'000}});
+  const auto above = layout.shape_of({{0, 6'501}, {12'000, 10'541}, {12'000, 20'000}, {0, 20'000}});
+  const auto bar = layout.shape_of({{0, 0}, {3'000, 1'010}, {3'000, 1'510}, {0, 500}});
+  layout.put(below, {0, 0}, 0, true)
+      .put(above, {0, 0}, 0, true)
+      .put(bar, {30'000, 0})
+      .put(bar, {40'000, 0})
+      .put(bar, {50'000, 0});
+  const std::vector<PieceId> bars{{2}, {3}, {4}};
+  const Containment result = contained(layout.marker(), bars, Box{{1'001, 0}, {4'502, 20'000}});
+  ASSERT_EQ(result.verdict, Verdict::kFound);
+  EXPECT_TRUE(is_valid(result.marker));
+}
+
+// Pieces far away change neither the answer nor the work, and stay.
+TEST(Contain, LooksOnlyAtPiecesNearTheRoom) {
+  test::Layout layout = with_slot();
+  const auto half = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(half, {50'000, 0}).put(half, {60'000, 0});
+  const std::vector<PieceId> halves{{1}, {2}};
+  const Box room{{0, 0}, {30'000, 30'000}};
+  const Containment near = contained(layout.marker(), halves, room);
+  for (int k = 0; k < 40; ++k) layout.put(half, {200'000 + 10'000 * k, 0});
+  const Marker marker = layout.marker();
+  const Containment all = contained(marker, halves, room);
+  ASSERT_EQ(all.verdict, Verdict::kFound);
+  EXPECT_TRUE(is_valid(all.marker));
+  EXPECT_EQ(all.work.nodes, near.work.nodes);
+  EXPECT_EQ(all.work.looks, near.work.looks);
+  ASSERT_EQ(all.marker.pieces.size(), marker.pieces.size());
+  for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+    EXPECT_EQ(all.marker.pieces[k], k < near.marker.pieces.size() ? near.marker.pieces[k] : marker.pieces[k]);
+  }
+}
+
 // An arrow to the right: its tip and the two sides of its shaft leave walls with slanted and with upright borders.
 Polygon arrow() {
   return {{0, 10'000},      {40'000, 10'000}, {40'000, 0}, {60'000, 20'000},
