@@ -89,9 +89,9 @@ struct Overlap {
     v.required("first", self.first, kPieceMeaning);
     v.required("second", self.second, "The other piece's id.");
     v.required("witness", self.witness, "A point inside both pieces.");
-    v.required(
-        "depth", self.depth,
-        "The length of the shortest move that separates them; 0 when not measured because the motion was stopped.");
+    v.required("depth", self.depth,
+               "The length of the shortest move that separates them as far as spacing or overlap allowance demand; 0 "
+               "when not measured because the motion was stopped.");
   }
 };
 [[nodiscard]] std::vector<Overlap> overlaps_of(const Marker& marker, const std::vector<marker::Overlap>& overlaps);

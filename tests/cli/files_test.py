@@ -130,6 +130,11 @@ class Check(CliTest):
         self.assertIn("pieces p0 and p1 overlap by 10 mm", ran.stdout)
         self.assertIn("piece p2 leaves the strip by 10 mm", ran.stdout)
 
+    def test_an_overlap_allowance_is_not_counted(self):
+        ran = run("check", "--overlap", "4", self.write(squares((0, 0), (30, 0))))
+        self.assertEqual(ran.returncode, NOT_VALID)
+        self.assertIn("pieces p0 and p1 overlap by 6 mm too much", ran.stdout)
+
     def test_json_gives_the_same_result(self):
         ran = run("check", "--json", self.write(squares((0, 0), (30, 0))))
         self.assertEqual(ran.returncode, NOT_VALID)

@@ -24,8 +24,6 @@ using test::reached;
 using test::row_of_points;
 using Entry = lp::LinearProgram::Entry;
 
-constexpr int kPivots = 1'000'000;
-
 // The largest errors found in the solutions of one kind of program.
 struct Worst {
   double primal{}, dual{}, gap{}, apart{};

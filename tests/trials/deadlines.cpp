@@ -7,6 +7,7 @@
 
 #include "tests/trials/latencies.h"
 #include "tests/trials/live/caller.h"
+#include "tests/trials/live/error_codes.h"
 #include "tests/trials/live/live_daemon.h"
 #include "tests/trials/trials.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kBusy = -32010;
 constexpr double kDeadlineMs = 200;
 constexpr std::size_t kWorkers = 2;
 

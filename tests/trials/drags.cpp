@@ -11,6 +11,7 @@
 #include "tests/support/random.h"
 #include "tests/trials/latencies.h"
 #include "tests/trials/live/caller.h"
+#include "tests/trials/live/error_codes.h"
 #include "tests/trials/live/live_daemon.h"
 #include "tests/trials/trials.h"
 
@@ -20,10 +21,9 @@ namespace {
 using test::Random;
 
 constexpr std::size_t kDraggers = 32;
-constexpr std::size_t kMarkers = 24;  // some are used by two clients, one of which ends its drag too late
+constexpr std::size_t kDraggedMarkers = 24;  // some are used by two clients, one of which ends its drag too late
 constexpr std::size_t kReaders = 2;
 constexpr double kReadGoalMs = 20;
-constexpr int kCancelled = -32800, kMoved = -32801, kSuperseded = -32802;
 
 struct OpenedMarker {
   std::string id;
@@ -39,15 +39,15 @@ OpenedMarker open(Caller& caller, const std::string& document) {
   return {id, shown["pieces"], opened["length"], shown["strip"]["width"]};
 }
 
-struct Tally {
+struct DragTally {
   std::atomic<std::size_t> begun{}, requests{}, moved{}, superseded{}, cancelled{}, late{}, committed{}, checked{};
 };
 
 // One client that makes drag sessions on one marker, one after another.
 class DragClient {
  public:
-  DragClient(const LiveDaemon& daemon, Endpoint endpoint, const OpenedMarker& marker, std::uint64_t seed, Tally& tally,
-             Faults& faults)
+  DragClient(const LiveDaemon& daemon, Endpoint endpoint, const OpenedMarker& marker, std::uint64_t seed,
+             DragTally& tally, Faults& faults)
       : caller_{daemon, endpoint}, marker_{marker}, random_{seed}, tally_{tally}, faults_{faults} {}
 
   void drag() {
@@ -140,7 +140,7 @@ class DragClient {
   Caller caller_;
   const OpenedMarker& marker_;
   Random random_;
-  Tally& tally_;
+  DragTally& tally_;
   Faults& faults_;
   std::map<int, std::string> awaited_;  // calls in progress, by id
 };
@@ -174,12 +174,12 @@ void drags(std::size_t count, Faults& faults) {
   LiveDaemon daemon;
   Caller caller{daemon, Endpoint::kTcp};
   std::vector<OpenedMarker> markers;
-  for (std::size_t k = 0; k < kMarkers; ++k) {
+  for (std::size_t k = 0; k < kDraggedMarkers; ++k) {
     markers.push_back(open(caller, garment(k % 2 == 0 ? "jeans_02g" : "jeans_06g")));
   }
   const OpenedMarker solved = open(caller, garment("jeans_22g"));
 
-  Tally tally;
+  DragTally tally;
   std::array<Latencies, kReaders> reads;
   std::size_t solves{};
   const auto began = std::chrono::steady_clock::now();
@@ -197,7 +197,8 @@ void drags(std::size_t count, Faults& faults) {
     for (std::size_t k = 0; k < kDraggers; ++k) {
       dragging.emplace_back([&, k] {
         faults.guard("a dragging client", [&] {
-          DragClient client{daemon, static_cast<Endpoint>(k % kEndpoints), markers[k % kMarkers], k, tally, faults};
+          DragClient client{daemon, static_cast<Endpoint>(k % kEndpoints), markers[k % kDraggedMarkers], k, tally,
+                            faults};
           for (std::size_t drag = k; drag < count; drag += kDraggers) client.drag();
           client.finish();
         });

@@ -11,6 +11,7 @@
 #include "tests/support/random.h"
 #include "tests/trials/linear_fit.h"
 #include "tests/trials/live/caller.h"
+#include "tests/trials/live/error_codes.h"
 #include "tests/trials/live/live_daemon.h"
 #include "tests/trials/trials.h"
 
@@ -24,9 +25,8 @@ using test::Random;
 constexpr std::size_t kClients = 64;
 constexpr double kWarmUp = 0.2;   // the fraction of the time that is not evaluated
 constexpr auto kMaxPause = 40ms;  // between two calls of a client
-constexpr int kBusy = -32010, kUnknownMarker = -32012, kMoved = -32801, kRefused = -32000;
 
-struct Tally {
+struct SoakTally {
   std::atomic<std::size_t> calls{}, lives{}, busy{}, notifications{};
 };
 
@@ -50,7 +50,7 @@ class Shown {
 // The actions of a client from connecting to disconnecting.
 class Life {
  public:
-  Life(const LiveDaemon& daemon, Random& random, Shown& shown, Tally& tally, Faults& faults)
+  Life(const LiveDaemon& daemon, Random& random, Shown& shown, SoakTally& tally, Faults& faults)
       : caller_{daemon, static_cast<Endpoint>(random.below(kEndpoints))},
         random_{random},
         shown_{shown},
@@ -131,7 +131,7 @@ class Life {
   Caller caller_;
   Random& random_;
   Shown& shown_;
-  Tally& tally_;
+  SoakTally& tally_;
   Faults& faults_;
   std::string id_;
   const Json* pieces_{};
@@ -196,7 +196,7 @@ void print(const char* what, const std::vector<Sample>& samples, const char* goa
 }
 
 void live_on(const std::stop_token& stop, const LiveDaemon& daemon, std::uint64_t seed, const Json& document,
-             Shown& shown, Tally& tally, Faults& faults) {
+             Shown& shown, SoakTally& tally, Faults& faults) {
   Random random{seed};
   std::string left_open;
   while (!stop.stop_requested()) {
@@ -224,7 +224,7 @@ void soak(std::size_t seconds, Faults& faults) {
   LiveDaemon daemon{{"--store", "STORE", "--max-connections", "1000"}};
   const std::array documents{native(daemon, "jeans_02g"), native(daemon, "charlie_04g")};
   const std::size_t before = settled_descriptors(daemon, 0);
-  Tally tally;
+  SoakTally tally;
   Shown shown;
   Samples samples;
   {

@@ -184,12 +184,14 @@ std::string plain_figures(const Marker& marker) {
 
 std::string plain_violations(const Marker& marker, const Json& validity) {
   const std::string unit = " " + marker.unit;
+  const bool may_overlap =
+      marker.overlap > 0 || std::ranges::any_of(marker.pieces, [](const Piece& piece) { return piece.overlap > 0; });
   std::string out;
   for (const Json& overlap : validity["overlaps"]) {
     out += "  pieces " + overlap["first"].text() + " and " + overlap["second"].text() +
            (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " +
-           significant(overlap["depth"].number()) + unit + " near (" + significant(overlap["witness"][0].number()) +
-           ", " + significant(overlap["witness"][1].number()) + ")\n";
+           significant(overlap["depth"].number()) + unit + (may_overlap ? " too much" : "") + " near (" +
+           significant(overlap["witness"][0].number()) + ", " + significant(overlap["witness"][1].number()) + ")\n";
   }
   for (const Json& protrusion : validity["protrusions"]) {
     const std::string& id = protrusion["piece"].text();

@@ -9,6 +9,9 @@
 
 namespace selvage::test {
 
+// A limit for the simplex method that no program of these tests reaches.
+inline constexpr int kPivots = 1'000'000;
+
 // Exact except for the final rounding to a double.
 struct ExactCertificate {
   double primal{};     // the largest violation of a row or a column bound

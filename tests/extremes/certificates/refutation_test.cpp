@@ -31,7 +31,6 @@ using test::reached;
 using test::row_of_points;
 using Row = std::vector<lp::LinearProgram::Entry>;
 
-constexpr int kPivots = 1'000'000;
 constexpr std::array kChoices{lp::solver::SolverChoice::kAutomatic, lp::solver::SolverChoice::kSimplex,
                               lp::solver::SolverChoice::kInteriorPoint};
 

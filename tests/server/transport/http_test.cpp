@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-server::transport::access::TransportLimits small_limits() {
+server::transport::access::TransportLimits small_requests() {
   server::transport::access::TransportLimits limits;
   limits.body_bytes = 1000;
   limits.header_bytes = 2048;
@@ -40,7 +40,7 @@ class Http : public ::testing::Test {
     EXPECT_EQ(answer->status, 200);
   }
 
-  StagedServer server_{small_limits()};
+  StagedServer server_{small_requests()};
 };
 
 TEST_F(Http, AnswersManyRequestsOnOneConnection) {

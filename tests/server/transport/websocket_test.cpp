@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-server::transport::access::TransportLimits small_limits() {
+server::transport::access::TransportLimits small_messages() {
   server::transport::access::TransportLimits limits;
   limits.body_bytes = 1000;
   return limits;
@@ -137,7 +137,7 @@ TEST(WebSocket, OffersNoCompression) {
 }
 
 TEST(WebSocket, ClosesWithTheCodeOfTheError) {
-  StagedServer server{small_limits()};
+  StagedServer server{small_messages()};
   const auto code_after = [&](const std::string& bytes) {
     WebSocketWire socket{server.port()};
     socket.wire().send(bytes);

@@ -31,7 +31,7 @@ constexpr double kMostGrownMb = 4096;  // with a sanitiser, whose own memory gro
 constexpr double kMostGrownMb = 64;
 #endif
 
-struct Tally {
+struct AttackTally {
   std::atomic<std::size_t> sent{}, answered{}, closed{};
 };
 
@@ -96,7 +96,7 @@ class SoundCaller {
 // Attacks one listener with its share of the requests.
 class Attack {
  public:
-  Attack(const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
+  Attack(const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, AttackTally& tally)
       : sound{daemon, in_use}, daemon_{daemon}, messages_{seed}, random_{seed}, tally_{tally} {
     sound.call();
   }
@@ -143,7 +143,7 @@ class Attack {
   const LiveDaemon& daemon_;
   MalformedMessages messages_;
   test::Random random_;
-  Tally& tally_;
+  AttackTally& tally_;
 };
 
 class HttpAttack final : public Attack {
@@ -171,7 +171,7 @@ class HttpAttack final : public Attack {
 
 class LineAttack final : public Attack {
  public:
-  LineAttack(Endpoint endpoint, const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, Tally& tally)
+  LineAttack(Endpoint endpoint, const LiveDaemon& daemon, std::uint64_t seed, InUse& in_use, AttackTally& tally)
       : Attack{daemon, seed, in_use, tally}, door_{endpoint}, caller_{daemon, endpoint} {
     (void)caller_.result("engine.info");  // a connection whose first line is not JSON would be closed
   }
@@ -243,7 +243,7 @@ void malformed(std::size_t count, Faults& faults) {
   // What asks for hours of work, such as 2^31 moves of a nesting, is answered after this time.
   LiveDaemon daemon{{"--call-seconds", "10"}};
   InUse in_use;
-  Tally tally;
+  AttackTally tally;
   std::vector<std::unique_ptr<Attack>> attacks;
   attacks.push_back(std::make_unique<HttpAttack>(daemon, 1, in_use, tally));
   attacks.push_back(std::make_unique<WebSocketAttack>(daemon, 2, in_use, tally));

@@ -1,3 +1,4 @@
+#include "tests/trials/live/error_codes.h"
 #include "tests/trials/memory/greedy_clients.h"
 
 #include <chrono>
@@ -15,7 +16,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kNoRoom = -32013;
 
 // The example marker in the native form.  Waits for room, which there may not be until the daemon has freed what
 // connections held that have just ended.
@@ -204,7 +204,6 @@ void watchers(const LiveDaemon& daemon, Greed& greed, Faults& faults) {
 }  // namespace
 
 void Greed::count(int code, Faults& faults) {
-  constexpr int kBusy = -32010, kTooLarge = -32011;
   if (code == 0) {
     ++results;
   } else {
