@@ -20,6 +20,7 @@ class Budget {
          std::uint64_t first_epoch)
       : most_{moves}, elapsed_{std::move(elapsed)}, stop_{std::move(stop)}, explored_{explored}, epoch_{first_epoch} {}
 
+  [[nodiscard]] bool timed() const { return static_cast<bool>(elapsed_); }
   [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
   [[nodiscard]] bool over(std::uint64_t moves) const {
     return moves >= most_ || stopped() || (elapsed_ && elapsed_() >= 1);

@@ -30,29 +30,48 @@ double least_length(const layout::PieceSet& set, const Marker& marker) {
 
 }  // namespace
 
-Exploration::Exploration(const layout::PieceSet& set, Marker best, std::uint64_t seed, const NestTuning& tuning,
-                         Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better)
+Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search,
+                         const NestTuning& tuning, Budget budget, std::optional<ClothEnd> end, const scene::Run& run,
+                         OnBetter on_better)
     : set_{&set},
       tuning_{tuning},
       budget_{std::move(budget)},
       end_{end},
       run_{&run},
       on_better_{std::move(on_better)},
-      search_{set, seed, tuning.map_bytes, tuning.search},
+      search_{&search},
       best_{std::move(best)},
       length_{length_of(best_)},
       worth_{(1 - tuning.least_gain) * static_cast<double>(length_)},
       least_length_{least_length(set, best_)},
       step_{tuning.first_step} {}
 
-void Exploration::run(layout::Layout start, const std::vector<bool>& kept) {
-  layout_ = std::move(start);
-  search_.build(layout_, kept, [this] { return over(); });
-  if (over()) return;
-  (void)separate({tuning_.search.patience, tuning_.search.strikes});
-  pool_.clear();
+template <class Work>
+void Exploration::limited(std::uint64_t moves, const Work& work) {
+  taken_up_at_ = search_->moves();
+  until_ = taken_up_at_ + std::min(moves, std::numeric_limits<std::uint64_t>::max() - taken_up_at_);
+  work();
+  before_ = own_moves();
+  taken_up_at_ = search_->moves();
+}
+
+void Exploration::begin(layout::Layout start, const std::vector<bool>& kept) {
+  limited(std::numeric_limits<std::uint64_t>::max(), [&] {
+    layout_ = std::move(start);
+    search_->build(layout_, kept, [this] { return over(); });
+    if (over()) return;
+    (void)separate({tuning_.search.patience, tuning_.search.strikes});
+    pool_.clear();
+  });
+}
+
+void Exploration::advance(std::uint64_t moves) {
+  limited(moves, [this] { search(); });
+}
+
+void Exploration::search() {
   while (!over() && !converged_) {
-    if (budget_.exploring(search_.moves())) {
+    if (exploring()) {
       shorten_boldly();
       explore();
     } else {
@@ -62,29 +81,31 @@ void Exploration::run(layout::Layout start, const std::vector<bool>& kept) {
 }
 
 void Exploration::explore() {
-  while (!over() && !converged_ && budget_.exploring(search_.moves())) {
+  while (!over() && !converged_ && exploring()) {
     const bool bold = step_ > tuning_.least_step;
     const local_search::Persistence bold_persistence{tuning_.bold_patience, 1};
     if (separate(bold ? bold_persistence
                       : local_search::Persistence{tuning_.search.patience, tuning_.search.strikes})) {
       pool_.clear();
       shorten_boldly();
+    } else if (over()) {
+      return;
     } else if (bold) {
       step_ = std::max(tuning_.least_step, step_ * tuning_.step_factor);
       pool_.clear();
       shorten_boldly();
     } else {
       take_from_pool();
-      search_.disrupt(layout_);
+      search_->disrupt(layout_);
     }
   }
 }
 
 void Exploration::compress() {
-  while (!over() && !converged_ && !budget_.exploring(search_.moves())) {
-    const double done = budget_.compressed(search_.moves());
+  while (!over() && !converged_ && !exploring()) {
+    const double done = budget_.compressed(own_moves());
     const double part = tuning_.first_squeeze + done * (tuning_.last_squeeze - tuning_.first_squeeze);
-    shorten(part, search_.dice().unit() * best_length());
+    shorten(part, search_->dice().unit() * best_length());
     (void)separate({tuning_.squeeze_patience, tuning_.squeeze_strikes});
   }
   pool_.clear();
@@ -97,7 +118,7 @@ void Exploration::shorten_boldly() {
   if (best_length() <= stretch) {
     shorten(step_, best_length() / 2);
   } else {
-    shorten(step_ * stretch / best_length(), search_.dice().unit() * best_length());
+    shorten(step_ * stretch / best_length(), search_->dice().unit() * best_length());
   }
 }
 
@@ -110,7 +131,7 @@ void Exploration::shorten(double part, double split) {
 }
 
 bool Exploration::separate(local_search::Persistence persistence) {
-  auto outcome = search_.separate(layout_, persistence, [this] { return over(); });
+  auto outcome = search_->separate(layout_, persistence, [this] { return over(); });
   if (outcome.loss == 0 && accept(outcome.layout)) return true;
   pool_.push_back(std::move(outcome));
   std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.loss < b.loss; });
@@ -119,7 +140,7 @@ bool Exploration::separate(local_search::Persistence persistence) {
 }
 
 void Exploration::take_from_pool() {
-  const double skewed = std::pow(search_.dice().unit(), tuning_.pool_skew);
+  const double skewed = std::pow(search_->dice().unit(), tuning_.pool_skew);
   layout_ = pool_[static_cast<std::size_t>(skewed * static_cast<double>(pool_.size()))].layout;
 }
 
@@ -130,14 +151,14 @@ bool Exploration::accept(const layout::Layout& layout) {
   if (done->length_after >= length_) return false;
   best_ = std::move(done->marker);
   length_ = done->length_after;
-  history_.push_back({search_.moves(), length_});
+  history_.push_back({search_->moves(), length_});
   on_better_(history_.back());
   return true;
 }
 
 bool Exploration::over() const {
-  const std::uint64_t moves = search_.moves();
-  if (budget_.over(moves)) return true;
+  const std::uint64_t moves = search_->moves();
+  if (moves >= until_ || budget_.over(moves)) return true;
   if (moves >= tuning_.moves_in_vain && static_cast<double>(length_) >= worth_) return true;
   return end_ && length_ > end_->last && budget_.used(moves) >= end_->patience;
 }

@@ -5,7 +5,8 @@
 //     compress: shorten the best layout by a little at a random place, separate, compact
 //
 // Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
-// it counts; the strip is then shortened from the compacted length.
+// it counts; the strip is then shortened from the compacted length.  A search may be left for a while and taken up
+// again (race.h).
 #pragma once
 
 #include <cstdint>
@@ -39,23 +40,28 @@ class Exploration {
  public:
   using OnBetter = std::function<void(const Improvement&)>;
 
-  // `best` is valid on an endless strip, places all pieces, and is what the search has to beat; `end`: nothing when the
-  // cloth does not end.  REQUIRES: the set and the run outlive it.
-  Exploration(const layout::PieceSet& set, Marker best, std::uint64_t seed, const NestTuning& tuning, Budget budget,
-              std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
+  // `best` is valid on an endless strip, places all pieces, and is what the search has to beat; `search` may be shared
+  // with other explorations, one after another; `end`: nothing when the cloth does not end.
+  // REQUIRES: the set, the search and the run outlive it.
+  Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search, const NestTuning& tuning,
+              Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
 
-  // Builds a layout; the pieces that are `kept` stay where `start` has them, to begin with.  Then searches until the
-  // budget is used up, or nothing shorter is possible.
-  void run(layout::Layout start, const std::vector<bool>& kept);
+  // Builds a layout; the pieces that are `kept` stay where `start` has them, to begin with.
+  void begin(layout::Layout start, const std::vector<bool>& kept);
+  // Searches until it has made so many more moves, the budget is used up, or nothing shorter is possible.
+  void advance(std::uint64_t moves);
 
   [[nodiscard]] const Marker& best() const { return best_; }
   [[nodiscard]] Coord length() const { return length_; }
   [[nodiscard]] const std::vector<Improvement>& history() const { return history_; }
-  [[nodiscard]] std::uint64_t moves() const { return search_.moves(); }
   [[nodiscard]] int programs() const { return programs_; }
   [[nodiscard]] bool converged() const { return converged_; }
 
  private:
+  // Calls work(), which ends after so many moves of this exploration.
+  template <class Work>
+  void limited(std::uint64_t moves, const Work& work);
+  void search();
   void explore();
   void compress();
   void shorten_boldly();
@@ -64,6 +70,8 @@ class Exploration {
   void take_from_pool();
   // Makes a valid marker of a layout that hardly overlaps; true when it is shorter than the best.
   [[nodiscard]] bool accept(const layout::Layout& layout);
+  [[nodiscard]] std::uint64_t own_moves() const { return before_ + (search_->moves() - taken_up_at_); }
+  [[nodiscard]] bool exploring() const { return budget_.exploring(own_moves()); }
   [[nodiscard]] bool over() const;
   [[nodiscard]] double best_length() const { return static_cast<double>(length_) / set_->lattice_units; }
 
@@ -73,7 +81,10 @@ class Exploration {
   std::optional<ClothEnd> end_;
   const scene::Run* run_;
   OnBetter on_better_;
-  local_search::GuidedSearch search_;
+  local_search::GuidedSearch* search_;
+  std::uint64_t taken_up_at_{};  // moves of the search when this exploration began its present part
+  std::uint64_t before_{};       // moves of this exploration before that
+  std::uint64_t until_{};        // moves of the search at which the present part ends
   Marker best_;
   Coord length_;
   double worth_;         // while the best is this long or longer, the search is in vain; lattice units

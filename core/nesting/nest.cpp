@@ -1,6 +1,8 @@
 #include "core/nesting/nest.h"
 
 #include <algorithm>
+#include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -12,9 +14,10 @@
 #include "core/nesting/filling/lying.h"
 #include "core/nesting/finish.h"
 #include "core/nesting/layout/layout.h"
-#include "core/nesting/match_phases.h"
+#include "core/nesting/race.h"
 #include "core/nesting/start/first_layout.h"
 #include "core/nesting/start/fixed_pieces.h"
+#include "core/nesting/start/match_phases.h"
 #include "core/nesting/timed_run.h"
 #include "core/scene/scene.h"
 
@@ -149,23 +152,52 @@ std::optional<ClothEnd> cloth_end(const Task& task) {
   return ClothEnd{*last, set.area < cloth ? tuning.end_patience : tuning.hopeless_patience};
 }
 
-// Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.
+// True when some pieces that may move lie somewhere.
+bool has_layout(const Task& task) {
+  const auto& fixed = task.set.fixed;
+  return std::count(fixed.begin(), fixed.end(), true) < static_cast<std::ptrdiff_t>(task.start.pieces.size());
+}
+
+// Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.  Starts
+// race where no layout is given and the cloth does not end.
 Searched search(std::size_t number, const Task& task, const Budget& budget, const scene::Run& run, Reporter& reporter) {
-  const auto on_better = [&reporter](const Improvement& improvement) { reporter.report(improvement); };
+  const NestTuning& tuning = task.settings.tuning;
   const std::uint64_t seed = task.settings.seed + number;
-  Exploration exploration{task.set, task.first, seed, task.settings.tuning, budget, cloth_end(task), run, on_better};
+  const auto end = cloth_end(task);
+  Searched searched;
+  searched.length = kLatticeLimit;
+  const auto on_better = [&](const Improvement& improvement) {
+    if (improvement.length >= searched.length) return;
+    searched.length = improvement.length;
+    searched.history.push_back(improvement);
+    reporter.report(improvement);
+  };
   std::vector<bool> kept = task.set.fixed;
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
   Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
-  exploration.run(to_layout(task.set, from), kept);
-  return at_cloth_end({.best = {.marker = exploration.best()},
-                       .length = exploration.length(),
-                       .history = exploration.history(),
-                       .moves = exploration.moves(),
-                       .programs = exploration.programs(),
-                       .converged = exploration.converged()},
-                      task, budget, seed, run);
+  local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search};
+  const auto begin = [&] {
+    auto exploration = std::make_unique<Exploration>(task.set, task.first, guided, tuning, budget, end, run, on_better);
+    exploration->begin(to_layout(task.set, from), kept);
+    return exploration;
+  };
+  std::unique_ptr<Exploration> best;
+  if (end || has_layout(task)) {
+    best = begin();
+    best->advance(std::numeric_limits<std::uint64_t>::max());
+  } else {
+    const std::size_t size = task.set.size();
+    Race race{begin, {tuning.least_raced_moves * size, tuning.raced_moves * size, tuning.raced}, budget};
+    best = race.run(guided);
+    searched.programs = race.programs();
+  }
+  searched.best.marker = best->best();
+  searched.length = best->length();
+  searched.moves = guided.moves();
+  searched.programs += best->programs();
+  searched.converged = best->converged();
+  return at_cloth_end(std::move(searched), task, budget, seed, run);
 }
 
 // The marker that is nested, and its pieces as the search sees them.
@@ -271,10 +303,10 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
 }  // namespace
 
 Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run) {
-  const auto matched = with_sets_matched_to_cloth(start);
+  const auto matched = start::with_sets_matched_to_cloth(start);
   if (!matched) return nest_alone(start, settings, run);
   auto nesting = nest_alone(*matched, settings, run);
-  if (nesting) give_back_rules(nesting->marker, start);
+  if (nesting) start::give_back_rules(nesting->marker, start);
   return nesting;
 }
 

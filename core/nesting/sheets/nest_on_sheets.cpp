@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/nesting/layout/dice.h"
-#include "core/nesting/match_phases.h"
 #include "core/nesting/sheets/movable.h"
 #include "core/nesting/sheets/used_sheet.h"
 #include "core/nesting/sheets/worth.h"
+#include "core/nesting/start/match_phases.h"
 #include "core/nesting/timed_run.h"
 
 namespace selvage::nesting::sheets {
@@ -288,14 +288,14 @@ Result<SheetNesting> nest_pieces_on_sheets(const Marker& start, std::span<const 
 
 Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets, const SheetSettings& settings,
                                     const scene::Run& run) {
-  const auto matched = with_sets_matched_to_cloth(start);
+  const auto matched = start::with_sets_matched_to_cloth(start);
   if (!matched) return nest_pieces_on_sheets(start, sheets, settings, run);
   auto nesting = nest_pieces_on_sheets(*matched, sheets, settings, run);
   if (!nesting) return nesting;
-  for (SheetLayout& layout : nesting->layouts) give_back_rules(layout.marker, start);
+  for (SheetLayout& layout : nesting->layouts) start::give_back_rules(layout.marker, start);
   Marker left;
   left.unplaced = std::move(nesting->left_over);
-  give_back_rules(left, start);
+  start::give_back_rules(left, start);
   nesting->left_over = std::move(left.unplaced);
   return nesting;
 }

@@ -1,9 +1,9 @@
-#include "core/nesting/match_phases.h"
+#include "core/nesting/start/match_phases.h"
 
 #include <map>
 #include <string_view>
 
-namespace selvage::nesting {
+namespace selvage::nesting::start {
 namespace {
 
 using Phases = std::map<std::string_view, Vec>;
@@ -67,4 +67,4 @@ void give_back_rules(Marker& marker, const Marker& original) {
   }
 }
 
-}  // namespace selvage::nesting
+}  // namespace selvage::nesting::start

@@ -7,7 +7,7 @@
 
 #include "core/marker/marker.h"
 
-namespace selvage::nesting {
+namespace selvage::nesting::start {
 
 // The marker with pieces of match sets matched to the cloth: at the phase of the set's first placed piece, locked ones
 // first; when none is placed, at one at which the piece with the least room across lies at the lower end of its room.
@@ -17,4 +17,4 @@ namespace selvage::nesting {
 // Gives the pieces of a marker back the rules that they have in another one.  REQUIRES: it has all of them, by id.
 void give_back_rules(Marker& marker, const Marker& original);
 
-}  // namespace selvage::nesting
+}  // namespace selvage::nesting::start

@@ -1,0 +1,93 @@
+// Tests of core/nesting/race.h: which starts go on, and when new ones begin.
+#include "core/nesting/race.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/nesting/layout/layout.h"
+#include "core/nesting/nest.h"
+#include "tests/core/nesting/unplaced_pieces.h"
+
+namespace selvage::nesting {
+namespace {
+
+using test::kSide;
+using test::rectangle;
+
+constexpr std::uint64_t kShare = 60;
+
+Marker rectangles_and_triangles() {
+  const Polygon triangle{{0, 0}, {3 * kSide, 0}, {0, 2 * kSide}};
+  return test::unplaced_pieces({rectangle(2 * kSide, kSide), triangle, rectangle(kSide, 3 * kSide)}, 12, 7 * kSide);
+}
+
+// Nestings of these pieces, from one start after another.
+class Races : public ::testing::Test {
+ protected:
+  // The best exploration of a race with this budget.
+  std::unique_ptr<Exploration> race(const Budget& budget, double raced) {
+    const scene::Run run{sums_};
+    const NestTuning tuning;
+    const auto begin = [&] {
+      begun_at_.push_back(guided_.moves());
+      auto exploration = std::make_unique<Exploration>(
+          set_, first_, guided_, tuning, budget, std::nullopt, run,
+          [this](const Improvement& better) { shortest_ = std::min(shortest_, better.length); });
+      exploration->begin(to_layout(set_, first_), set_.fixed);
+      return exploration;
+    };
+    return Race{begin, {kShare / 2, kShare, raced}, budget}.run(guided_);
+  }
+
+  SumCache sums_;
+  const Marker first_ = nest(rectangles_and_triangles(), {}, {sums_})->marker;
+  const layout::PieceSet set_ =
+      *layout::piece_set_of(rectangles_and_triangles(), layout::PlacedPiecesMay::kMove, sums_);
+  local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}};
+  std::vector<std::uint64_t> begun_at_;  // the moves before each start
+  Coord shortest_{kLatticeLimit};
+};
+
+TEST_F(Races, HaveOneStartWhenTheBudgetEndsWithIt) {
+  const Budget budget{kShare / 4, {}, {}, 0.8, 40};
+  const auto best = race(budget, 0.5);
+  EXPECT_EQ(begun_at_.size(), 1U);
+}
+
+TEST_F(Races, GoOnWithTheBestOfAllStarts) {
+  const Budget budget{40 * kShare, {}, {}, 0.8, 40};
+  const auto best = race(budget, 0.5);
+  EXPECT_GE(begun_at_.size(), 4U);
+  EXPECT_EQ(best->length(), shortest_);
+  EXPECT_LT(best->length(), length_of(first_));
+  EXPECT_GE(guided_.moves(), 40 * kShare);
+}
+
+// A start, and what is compared after it, make at least one share of moves: two after every second one.
+TEST_F(Races, TheShorterOfTwoMakesAsManyMovesAgain) {
+  const Budget budget{40 * kShare, {}, {}, 0.8, 40};
+  (void)race(budget, 0.5);
+  ASSERT_GE(begun_at_.size(), 3U);
+  EXPECT_GE(begun_at_[1], kShare);
+  EXPECT_GE(begun_at_[2], begun_at_[1] + 2 * kShare);
+}
+
+TEST_F(Races, InTimeStartsEndWithTheirPartOfIt) {
+  const auto elapsed = [this] { return static_cast<double>(guided_.moves()) / (40 * kShare); };
+  const Budget budget{1'000'000, elapsed, {}, 0.8, 40};
+  const auto best = race(budget, 0.5);
+  EXPECT_GE(begun_at_.size(), 4U);
+  EXPECT_LT(begun_at_.back(), 20 * kShare);
+  EXPECT_EQ(best->length(), shortest_);
+}
+
+TEST_F(Races, AreLeftOutWhenOneStartTakesMostOfTheTime) {
+  const auto elapsed = [this] { return static_cast<double>(guided_.moves()) / (2 * kShare); };
+  const Budget budget{1'000'000, elapsed, {}, 0.8, 40};
+  (void)race(budget, 0.5);
+  EXPECT_EQ(begun_at_.size(), 1U);
+}
+
+}  // namespace
+}  // namespace selvage::nesting
