@@ -54,7 +54,7 @@ export type Overlap = {
   second: string;
   /** A point inside both pieces. */
   witness: Point;
-  /** The length of the shortest move that separates them; 0 when not measured because the motion was stopped. */
+  /** The length of the shortest move that separates them as far as spacing or overlap allowance demand; 0 when not measured because the motion was stopped. */
   depth: number;
 };
 
