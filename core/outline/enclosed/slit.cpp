@@ -171,8 +171,9 @@ std::optional<Slit> innermost_slit(const Polygon& ring) {
     if (steps < 5 || steps + 1 >= size || !is_mouth(at(in + 1), at(out + size - 1))) return;
     slits.push_back({in, steps - 2});
   });
-  std::sort(slits.begin(), slits.end(),
-            [](const Slit& a, const Slit& b) { return std::pair{a.corners, a.in} < std::pair{b.corners, b.in}; });
+  std::sort(slits.begin(), slits.end(), [](const Slit& a, const Slit& b) {
+    return std::pair{a.corners, a.in} < std::pair{b.corners, b.in};
+  });
   for (const Slit& slit : slits) {
     Polygon hole;
     for (std::size_t k = 1; k <= slit.corners; ++k) hole.push_back(at(slit.in + k));

@@ -1,5 +1,5 @@
-#include "tests/trials/live/error_codes.h"
 #include "tests/trials/memory/greedy_clients.h"
+#include "tests/trials/live/error_codes.h"
 
 #include <chrono>
 #include <cstddef>
@@ -15,7 +15,6 @@ namespace selvage::trials {
 namespace {
 
 using namespace std::chrono_literals;
-
 
 // The example marker in the native form.  Waits for room, which there may not be until the daemon has freed what
 // connections held that have just ended.
