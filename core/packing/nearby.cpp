@@ -3,14 +3,6 @@
 #include "core/marker/placed_pieces.h"
 
 namespace selvage::packing {
-namespace {
-
-bool reaches(const Box& piece, const Box& box) {
-  return piece.low.x <= box.high.x && box.low.x <= piece.high.x && piece.low.y <= box.high.y &&
-         box.low.y <= piece.high.y;
-}
-
-}  // namespace
 
 Nearby nearby(const Marker& whole, const std::vector<bool>& moving, const Box& box) {
   const marker::PlacedPieces pieces{whole};
@@ -19,7 +11,7 @@ Nearby nearby(const Marker& whole, const std::vector<bool>& moving, const Box& b
   part.marker.pieces.clear();
   for (std::uint32_t k = 0; k < whole.pieces.size(); ++k) {
     const Piece& piece = whole.pieces[k];
-    if (!moving[k] && piece.rules == marker::Rules{} && !reaches(pieces.box(k), near)) continue;
+    if (!moving[k] && piece.rules == marker::Rules{} && !pieces.box(k).touches(near)) continue;
     part.marker.pieces.push_back(piece);
     part.moving.push_back(moving[k]);
     part.place.push_back(k);
