@@ -187,8 +187,7 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
     best = begin();
     best->advance(std::numeric_limits<std::uint64_t>::max());
   } else {
-    const std::size_t size = task.set.size();
-    Race race{begin, {tuning.least_raced_moves * size, tuning.raced_moves * size, tuning.raced}, budget};
+    Race race{begin, {tuning.least_raced_moves, tuning.raced_moves, tuning.raced}, budget};
     best = race.run(guided);
     searched.programs = race.programs();
   }

@@ -27,9 +27,9 @@ struct NestTuning {
   std::uint64_t moves_in_vain{std::numeric_limits<std::uint64_t>::max()};
   double least_gain{0};
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
-  // A start makes so many moves for each of its pieces before it is compared with another one (race.h); with a limit in
-  // time, starts are made until this part of it is used up.
-  std::uint64_t raced_moves{500}, least_raced_moves{100};
+  // A start makes so many moves before it is compared with another one (race.h), fewer when time is short; with a limit
+  // in time, starts are made until this part of it is used up.
+  std::uint64_t raced_moves{50'000}, least_raced_moves{20'000};
   double raced{0.5};
   // Part of the budget after which a search gives up bringing all pieces before the cloth's end, and rather chooses
   // which of them lie on it: when their area is less than the cloth's, and when it is not.

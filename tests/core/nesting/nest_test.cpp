@@ -29,7 +29,7 @@ NestSettings settings_of(std::uint64_t moves) {
   NestSettings settings;
   settings.moves = moves;
   settings.tuning.first_epoch = 40;
-  settings.tuning.raced_moves = 5;
+  settings.tuning.raced_moves = 50;
   return settings;
 }
 
