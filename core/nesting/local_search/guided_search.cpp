@@ -95,15 +95,17 @@ void GuidedSearch::build(layout::Layout& layout, const std::vector<bool>& kept, 
     double& last = set_->is_zone(i) ? end_of_zones : end;
     last = std::max(last, placed_box(*set_, layout, i).high_x);
   }
+  bool stopped = false;
   for (const std::uint32_t piece : order) {
     maps_.trim();
+    stopped = stopped || over();
     // Beyond the end there is always room, unless zones are in the way.
     bool inserted = false;
     for (const double beyond : {end, std::max(end, end_of_zones)}) {
       const layout::Turned& turned = set_->kind(piece).turned[layout.places[piece].turn];
       const double from = std::max(beyond, turned.room.low_x - set_->left);
       layout.length = from + turned.box.width() + 2 * maps_.scale().pixel;
-      inserted = !over() && mover_.insert(layout, piece, down);
+      inserted = !stopped && mover_.insert(layout, piece, down);
       if (inserted) break;
     }
     if (!inserted) centre_at(*set_, layout, piece, layout.length, set_->high / 2);
