@@ -151,8 +151,7 @@ bool Exploration::accept(const layout::Layout& layout) {
   if (done->length_after >= length_) return false;
   best_ = std::move(done->marker);
   length_ = done->length_after;
-  history_.push_back({search_->moves(), length_});
-  on_better_(history_.back());
+  on_better_({search_->moves(), length_});
   return true;
 }
 

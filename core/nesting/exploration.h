@@ -53,7 +53,6 @@ class Exploration {
 
   [[nodiscard]] const Marker& best() const { return best_; }
   [[nodiscard]] Coord length() const { return length_; }
-  [[nodiscard]] const std::vector<Improvement>& history() const { return history_; }
   [[nodiscard]] int programs() const { return programs_; }
   [[nodiscard]] bool converged() const { return converged_; }
 
@@ -93,7 +92,6 @@ class Exploration {
   bool converged_{};
   layout::Layout layout_;                                  // the one that is worked on
   std::vector<local_search::GuidedSearch::Outcome> pool_;  // failures at the present length, by loss
-  std::vector<Improvement> history_;
   int programs_{};
 };
 

@@ -9,11 +9,13 @@ namespace selvage::nesting {
 
 std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search) {
   std::optional<double> first;  // the part of the budget that the first start has used up
+  std::uint64_t before = 0;     // moves, when the last start began
   do {
+    before = search.moves();
     start(search);
     if (!first) first = budget_.used(search.moves());
     while (runners_.size() > 1 && runners_.end()[-2].shares == runners_.back().shares) compare_last_two();
-  } while (may_start(search.moves(), *first));
+  } while (search.moves() > before && may_start(search.moves(), *first));
   const auto best = std::min_element(runners_.begin(), runners_.end(), [](const Runner& a, const Runner& b) {
     return a.exploration->length() < b.exploration->length();
   });

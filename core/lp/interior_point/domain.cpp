@@ -82,8 +82,8 @@ void Domain::correct(double product) {
   start_direction();
 }
 
-// (dx, ds, dz) with A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target: as far as the columns of the
-// border are not needed,
+// Solves A dx - ds + delta dz = rp, A^T dz - rho dx = rd, s dz + z ds = target for (dx, ds, dz), up to the point where
+// the border's part of the solution is needed.
 void Domain::start_direction() {
   wanted_ = rp_ + target_ / z_;
   dz_ = weight_ * wanted_;
@@ -92,7 +92,7 @@ void Domain::start_direction() {
   normal_.solve_lower(span_of(dx_));
 }
 
-// and the rest.
+// The rest of the solution, once the border's part is known.
 Domain::Steps Domain::direction() {
   normal_.solve_upper(span_of(dx_));
   dx_[rows_.zero_column()] = 0;

@@ -78,7 +78,7 @@ class Rounds {
   // False, with the pieces where they were, when there is no room within the allowed length, or when cancelled.
   bool repaired();
   // From every pair that still overlaps, the piece with the cheaper leap leaps; so does every piece that lies beyond
-  // the allowed length.  False when cancelled, as find_overlaps.
+  // the allowed length.  False when cancelled, like find_overlaps.
   bool leap(int times);
   void leap_one(std::initializer_list<std::uint32_t> candidates, double reach);
 

@@ -290,8 +290,8 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
   const auto stepwise = one_by_one(bodies, leaf, columns);
   if (stepwise && attempt(*stepwise)) return true;
   // A spacing's rings leave out a little at corners, so its layouts may overlap by more than rounding.
-  const auto mended = spacing == 0 ? std::nullopt : repaired(placed(marker, bodies, leaf), bodies, leaf, run);
-  if (mended && attempt(*mended)) return true;
+  const auto without_overlaps = spacing == 0 ? std::nullopt : repaired(placed(marker, bodies, leaf), bodies, leaf, run);
+  if (without_overlaps && attempt(*without_overlaps)) return true;
   for (const auto& [part, units] : kRooms) {
     const auto positions = with_room(bodies, leaf, columns, part * spacing + units);
     if (positions && attempt(snapped_to_lattice(*positions))) return true;
