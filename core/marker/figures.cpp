@@ -44,17 +44,34 @@ std::optional<PlacedPieces> moved(const Marker& before, const PlacedPieces& piec
   return now;
 }
 
+Wide doubled_area_of(const Marker& marker) {
+  std::vector<Wide> copies(marker.shapes.size());
+  for (const Piece& piece : marker.pieces) copies[piece.shape.value] += piece.rules.zone ? 0 : 1;
+  Wide doubled = 0;
+  for (std::size_t s = 0; s < copies.size(); ++s) {
+    if (copies[s] > 0) doubled += copies[s] * doubled_area(marker.shapes[s].outline);
+  }
+  return doubled;
+}
+
+double utilisation_of(Wide doubled_area, const Strip& strip, Coord length) {
+  const double cloth = static_cast<double>(strip.width) * static_cast<double>(length);
+  return cloth > 0 ? static_cast<double>(doubled_area) / 2 / cloth : 0;
+}
+
 }  // namespace
 
-Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Marker& marker) {
+Figures figures_after(const Marker& before, const PlacedPieces& pieces, const Figures& figures, const Marker& marker) {
   const auto changed = changed_pieces(before, marker);
   if (!changed) return figures_of(marker);
   auto now = moved(before, pieces, marker, *changed);
+  const Wide area = now ? figures.doubled_area : doubled_area_of(marker);
   if (!now) now.emplace(marker);
   const Coord length = now->length();
   const bool within = std::none_of(changed->begin(), changed->end(),
                                    [&](std::uint32_t i) { return protrusion_of(*now, i, marker.strip) > 0; });
-  return {length, utilisation_at(marker, length), within && keep_joint_rules(*now) && are_clear(*now, *changed)};
+  return {length, utilisation_of(area, marker.strip, length),
+          within && keep_joint_rules(*now) && are_clear(*now, *changed), area};
 }
 
 Figures figures_of(const Marker& marker) {
@@ -63,18 +80,12 @@ Figures figures_of(const Marker& marker) {
 
 Figures figures_of(const Marker& marker, const PlacedPieces& pieces) {
   const Coord length = pieces.length();
-  return {length, utilisation_at(marker, length), all_clear(pieces, marker.strip)};
+  const Wide area = doubled_area_of(marker);
+  return {length, utilisation_of(area, marker.strip, length), all_clear(pieces, marker.strip), area};
 }
 
 double utilisation_at(const Marker& marker, Coord length) {
-  std::vector<Wide> copies(marker.shapes.size());
-  for (const Piece& piece : marker.pieces) copies[piece.shape.value] += piece.rules.zone ? 0 : 1;
-  Wide doubled = 0;
-  for (std::size_t s = 0; s < copies.size(); ++s) {
-    if (copies[s] > 0) doubled += copies[s] * doubled_area(marker.shapes[s].outline);
-  }
-  const double cloth = static_cast<double>(marker.strip.width) * static_cast<double>(length);
-  return cloth > 0 ? static_cast<double>(doubled) / 2 / cloth : 0;
+  return utilisation_of(doubled_area_of(marker), marker.strip, length);
 }
 
 }  // namespace selvage::marker

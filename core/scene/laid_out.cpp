@@ -47,7 +47,7 @@ std::vector<outline::OrientedOutline> parts_of(const Marker& marker, SumCache& s
 }
 
 marker::Figures figures_after(const Marker& before, const LaidOut& laid_out, const Marker& after) {
-  return laid_out.figures.valid ? figures_after(before, laid_out.pieces, after) : figures_of(after);
+  return laid_out.figures.valid ? figures_after(before, laid_out.pieces, laid_out.figures, after) : figures_of(after);
 }
 
 }  // namespace selvage::scene

@@ -6,6 +6,15 @@
 
 namespace selvage::scene {
 
+namespace {
+
+Marker with_positions(Marker marker, const marker::PlacedPieces& pieces) {
+  for (std::size_t i = 0; i < marker.pieces.size(); ++i) marker.pieces[i].at = pieces.at(i);
+  return marker;
+}
+
+}  // namespace
+
 Scene::Scene(Marker start, SumCache& sum_cache) : Scene{std::move(start), Run{sum_cache}} {}
 
 Scene::Scene(Marker start, const Run& run)
@@ -51,10 +60,12 @@ std::vector<minkowski::Obstacle> Scene::obstacles(std::span<const marker::PieceP
   return sums.obstacles(asked, executor, stop);
 }
 
-Marker Scene::result() const {
-  Marker moved = marker;
-  for (std::size_t i = 0; i < moved.pieces.size(); ++i) moved.pieces[i].at = pieces.at(i);
-  return moved;
+Marker Scene::result() const& {
+  return with_positions(marker, pieces);
+}
+
+Marker Scene::result() && {
+  return with_positions(std::move(marker), pieces);
 }
 
 }  // namespace selvage::scene

@@ -43,7 +43,8 @@ struct Scene {
     return pieces.at(pair.second) - pieces.at(pair.first);
   }
   // The marker with the pieces where they are now.
-  [[nodiscard]] Marker result() const;
+  [[nodiscard]] Marker result() const&;
+  [[nodiscard]] Marker result() &&;
 
   Marker marker;  // the scene's own; its pieces' positions are those it came with, `pieces` has the present ones
   SumCache& sums;

@@ -30,6 +30,12 @@ protocol::rpc::RpcError internal_error() {
   return {protocol::rpc::RpcCode::kInternalError, "internal error; the server's log has the details", {}};
 }
 
+// The answer to a message whose calls were lost.  Every message needs it ready and hardly any sends it.
+const std::string& text_if_lost() {
+  static const std::string text = error_text(internal_error());
+  return text;
+}
+
 // How long the call may take: the time that it asks for, and at most the limit if its method can take long.
 std::optional<Duration> time_limit(const ParsedCall& call, std::chrono::milliseconds limit) {
   std::optional<Duration> time;
@@ -50,7 +56,7 @@ bool is_large(const store::MarkerStore& store, const std::string& marker_id) {
 
 void Dispatcher::receive(std::string message, const std::shared_ptr<transport::access::Session>& session,
                          transport::access::Reply reply) {
-  jobs::ReplyOnce<std::string> once{std::move(reply), error_text(internal_error())};
+  jobs::ReplyOnce<std::string> once{std::move(reply), text_if_lost()};
   const jobs::DeadlineClock::Time arrived = clock_.now();
   if (message.size() <= kSmallMessage) return parse(std::move(message), arrived, session, std::move(once));
   // Shared, so that the reply is still available if the queue does not accept the job.

@@ -42,16 +42,18 @@ struct Bound {
 };
 constexpr std::uint32_t kEdge = UINT32_MAX;
 
-// The obstacle that a piece that stays is to a piece of the body.
-struct Met {
-  std::uint32_t other{}, member{};
-  minkowski::Obstacle obstacle;
-};
-
 // A piece that moves: the bumped one, or another of its group.
 struct Member {
   std::uint32_t piece{};
   Vec offset;  // from the bumped one; constant
+};
+
+// The obstacle that a piece that stays is to a piece of the body.
+struct Met {
+  Member member;
+  std::uint32_t other{};
+  Coord spacing{};
+  minkowski::Obstacle obstacle;
 };
 
 class Bumper {
@@ -143,7 +145,8 @@ class Bumper {
   void build_cell(double towards_x, double towards_y) {
     cell_.clear();
     bounds_.clear();
-    for (const Member& member : body_) add_neighbours(member, towards_x, towards_y);
+    find_neighbours();
+    for (const std::size_t k : neighbours_) add_sides(met_[k], towards_x, towards_y);
     const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
     add_edge(1, 0, room(fit_.low.x, at_.x));
     add_edge(-1, 0, room(at_.x, fit_.high.x));
@@ -151,30 +154,36 @@ class Bumper {
     add_edge(0, -1, room(at_.y, fit_.high.y));
     for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
   }
-  void add_neighbours(const Member& member, double towards_x, double towards_y) {
-    const Vec at = at_ + member.offset;
-    const Box own = scene_.pieces[member.piece].box.moved(at).grown(std::llround(reach_) + spacing_);
-    for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
-      if (moves_[other] || scene_.pieces.may_share_cloth(member.piece, other)) continue;
-      if (!own.overlaps(scene_.pieces.box(other))) continue;
-      const Coord spacing = scene_.pieces.spacing({member.piece, other});
-      const Vec r = at - scene_.pieces.at(other);
-      const minkowski::Obstacle& obstacle = obstacle_of(other, member.piece);
-      const auto region = model::region_within(1.5 * reach_, spacing, {towards_x, towards_y});
-      for (const model::FreeSide& side : model::free_sides({obstacle, r, r, spacing}, region)) {
-        cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
-        bounds_.push_back({side.line, other, member.offset, spacing == 0});
+  // The pieces within reach; found again when the position or the reach has changed since.
+  void find_neighbours() {
+    if (looked_from_ == std::pair{at_, reach_}) return;
+    looked_from_ = {at_, reach_};
+    neighbours_.clear();
+    for (const Member& member : body_) {
+      const Box own = scene_.pieces[member.piece].box.moved(at_ + member.offset).grown(std::llround(reach_) + spacing_);
+      for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+        if (moves_[other] || scene_.pieces.may_share_cloth(member.piece, other)) continue;
+        if (own.overlaps(scene_.pieces.box(other))) neighbours_.push_back(met(member, other));
       }
     }
   }
-  // Kept here because every cell needs it, and the cache of sums would be locked each time.
-  const minkowski::Obstacle& obstacle_of(std::uint32_t other, std::uint32_t member) {
-    for (const Met& met : met_) {
-      if (met.other == other && met.member == member) return met.obstacle;
+  // Its place in met_.  Kept because every position needs it, and the cache of sums would be locked each time.
+  std::size_t met(const Member& member, std::uint32_t other) {
+    for (std::size_t k = 0; k < met_.size(); ++k) {
+      if (met_[k].other == other && met_[k].member.piece == member.piece) return k;
     }
-    met_.push_back({other, member,
-                    scene_.sums.obstacle(scene_.outline_facing(other, member), scene_.outline_facing(member, other))});
-    return met_.back().obstacle;
+    met_.push_back(
+        {member, other, scene_.pieces.spacing({member.piece, other}),
+         scene_.sums.obstacle(scene_.outline_facing(other, member.piece), scene_.outline_facing(member.piece, other))});
+    return met_.size() - 1;
+  }
+  void add_sides(const Met& met, double towards_x, double towards_y) {
+    const Vec r = at_ + met.member.offset - scene_.pieces.at(met.other);
+    const auto region = model::region_within(1.5 * reach_, met.spacing, {towards_x, towards_y});
+    for (const model::FreeSide& side : model::free_sides({met.obstacle, r, r, met.spacing}, region)) {
+      cell_.push_back({side.normal.x, side.normal.y, std::max(0.0, side.slack)});
+      bounds_.push_back({side.line, met.other, met.member.offset, met.spacing == 0});
+    }
   }
   void add_edge(double nx, double ny, double slack) {
     cell_.push_back({nx, ny, slack});
@@ -252,6 +261,8 @@ class Bumper {
   Vec at_;
   double reach_;
   std::vector<Met> met_;
+  std::optional<std::pair<Vec, double>> looked_from_;  // the position and the reach that `neighbours_` is for
+  std::vector<std::size_t> neighbours_;                // in met_
   std::vector<CellSide> cell_;
   std::vector<Bound> bounds_;
   Slide last_;

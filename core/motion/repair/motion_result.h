@@ -5,6 +5,7 @@
 #include <concepts>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/result.h"
 #include "core/marker/marker.h"
@@ -26,7 +27,8 @@ struct MotionResult {
 };
 
 // Runs a motion on a scene: `repairing()` gives a Result<Repair>, then `move(outcome)` moves the scene's pieces and
-// fills in the reason, the counts and the details of the outcome.  `move` returns nothing, or an optional Error.
+// fills in the reason, the counts and the details of the outcome.  `move` returns nothing, or an optional Error.  The
+// scene is used up: its marker becomes that of the outcome.
 // Errors: those of `repairing` and of `move`.
 template <std::derived_from<MotionResult> Outcome, class Repairing, class Move>
 [[nodiscard]] Result<Outcome> repaired_and(scene::Scene& scene, const Repairing& repairing, const Move& move) {
@@ -40,8 +42,8 @@ template <std::derived_from<MotionResult> Outcome, class Repairing, class Move>
   } else {
     if (const std::optional<Error> refusal = move(outcome)) return *refusal;
   }
-  outcome.marker = scene.result();
   outcome.length_after = scene.pieces.length();
+  outcome.marker = std::move(scene).result();
   return outcome;
 }
 

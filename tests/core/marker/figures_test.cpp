@@ -33,7 +33,7 @@ TEST(Figures, AfterAMoveEqualThoseOfTheWholeMarker) {
     for (Coord y = -5; y <= 95; y += 5) {
       Marker after = before;
       after.pieces[1].at = {x, y};
-      const marker::Figures figures = figures_after(before, marker::PlacedPieces{before}, after);
+      const marker::Figures figures = figures_after(before, marker::PlacedPieces{before}, figures_of(before), after);
       expect_same(figures, figures_of(after));
       valid += figures.valid;
     }
@@ -46,15 +46,15 @@ TEST(Figures, AreProvedAgainAfterAChangeOfStripOrSpacing) {
   const Marker before = squares({{0, 0}, {10, 0}, {30, 90}});
   Marker narrower = before;
   narrower.strip.width = 95;
-  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, narrower).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, figures_of(before), narrower).valid);
   Marker spaced = before;
   spaced.spacing = 1;
-  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, spaced).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, figures_of(before), spaced).valid);
   Marker other = before;
   other.shapes[0].outline = kTriangle;
-  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, other).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, figures_of(before), other).valid);
   Marker more = squares({{0, 0}, {10, 0}, {30, 90}, {30, 85}});
-  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, more).valid);
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, figures_of(before), more).valid);
 }
 
 TEST(Figures, AfterATiltUseTheTiltedOutline) {
@@ -62,8 +62,8 @@ TEST(Figures, AfterATiltUseTheTiltedOutline) {
   Marker tilted = before;
   tilted.pieces[0].orientation.tilt = Angle::of_degrees(5);
   tilted.pieces[0].at = {1, 0};
-  expect_same(figures_after(before, marker::PlacedPieces{before}, tilted), figures_of(tilted));
-  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, tilted).valid);
+  expect_same(figures_after(before, marker::PlacedPieces{before}, figures_of(before), tilted), figures_of(tilted));
+  EXPECT_FALSE(figures_after(before, marker::PlacedPieces{before}, figures_of(before), tilted).valid);
 }
 
 }  // namespace

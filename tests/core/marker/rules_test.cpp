@@ -111,7 +111,9 @@ TEST(Rooms, FiguresAfterAnEditRespectStricterRules) {
   before.shade = 50;
   for (Piece& piece : before.pieces) piece.rules.shade = "A";
   const marker::PlacedPieces pieces{before};
-  const auto valid_after = [&](const Marker& after) { return figures_after(before, pieces, after).valid; };
+  const auto valid_after = [&](const Marker& after) {
+    return figures_after(before, pieces, figures_of(before), after).valid;
+  };
   EXPECT_TRUE(valid_after(before));
   Marker after = before;
   after.shade = 49;
@@ -128,13 +130,13 @@ TEST(Rooms, FiguresAfterAnEditRespectASmallerOverlapAllowance) {
   Marker before = squares({{0, 0}, {8, 0}});
   before.overlap = 2;
   const marker::PlacedPieces pieces{before};
-  ASSERT_TRUE(figures_after(before, pieces, before).valid);
+  ASSERT_TRUE(figures_after(before, pieces, figures_of(before), before).valid);
   Marker after = before;
   after.overlap = 1;
-  EXPECT_FALSE(figures_after(before, pieces, after).valid);
+  EXPECT_FALSE(figures_after(before, pieces, figures_of(before), after).valid);
   after = before;
   after.pieces[0].overlap = 1;
-  EXPECT_FALSE(figures_after(before, pieces, after).valid);
+  EXPECT_FALSE(figures_after(before, pieces, figures_of(before), after).valid);
 }
 
 TEST(Rooms, RulesThatNoPositionKeepsAreRefused) {

@@ -57,7 +57,9 @@ TEST(Zones, NeedNoSpacingAndAllowNoOverlap) {
 TEST(Zones, FiguresAfterAnEditRespectZonesThatAreNewOrHaveMoved) {
   const Marker before = with_zones();
   const marker::PlacedPieces pieces{before};
-  const auto valid_after = [&](const Marker& after) { return figures_after(before, pieces, after).valid; };
+  const auto valid_after = [&](const Marker& after) {
+    return figures_after(before, pieces, figures_of(before), after).valid;
+  };
   Marker after = before;
   after.pieces[1].at.x = 29;
   EXPECT_FALSE(valid_after(after));
