@@ -22,8 +22,9 @@ Marker noisy(Marker marker) {
 }
 
 TEST(Separate, OfManyPiecesMovesOnlyThoseThatOverlapAfterTheFirstRound) {
-  const Marker marker = noisy(test::tiled(test::garment("jeans_06g"), 720));
-  const SeparationSettings settings{.grow = 5};
+  const Marker marker = noisy(test::tiled(test::garment("jeans_06g"), 240));
+  SeparationSettings settings{.grow = 5};
+  settings.tuning.many = 200;
   ASSERT_GT(marker.pieces.size(), settings.tuning.many);
   SumCache sums;
   scene::Observer observer;
