@@ -1,4 +1,4 @@
-// Selvage's own marker JSON, version 1.  README.md explains every field; marker.schema.json is its schema.
+// Selvage's own marker JSON, version 1.  protocol/README.md explains every field; marker.schema.json is its schema.
 //
 // Unknown fields are errors, except inside "attributes", which are kept and written back.  Ids are strings;
 // whole numbers are read as their digits.
