@@ -134,19 +134,20 @@ class Filler {
     return room;
   }
 
-  // A trial that the area allows and that may raise the value; pieces of one kind count once.
+  // A trial that the area allows and that may raise the value; pieces of one kind and value count once.
   [[nodiscard]] std::optional<Trial> drawn() {
     const double room = room_besides(best_.lies);
     std::vector<Trial> additions, swaps, wedgings;
-    std::set<std::uint32_t> seen;
+    std::set<std::pair<std::uint32_t, double>> seen;
     for (std::size_t in = 0; in < set_.size(); ++in) {
-      if (best_.lies[in] || settings_.values[in] <= 0 || !seen.insert(set_.kind_of[in]).second) continue;
+      const double value = settings_.values[in];
+      if (best_.lies[in] || value <= 0 || !seen.emplace(set_.kind_of[in], value).second) continue;
       const double area = set_.kind(in).area;
       if (area <= room) additions.push_back({in});
       const std::size_t before = swaps.size();
       bool above_any = false;
       for (std::size_t out = 0; out < set_.size(); ++out) {
-        if (!best_.lies[out] || set_.fixed[out] || settings_.values[out] >= settings_.values[in]) continue;
+        if (!best_.lies[out] || set_.fixed[out] || settings_.values[out] >= value) continue;
         above_any = true;
         if (area - set_.kind(out).area <= room) swaps.push_back({in, out});
       }

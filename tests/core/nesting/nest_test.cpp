@@ -330,6 +330,20 @@ TEST(Nest, ChoosesThePiecesThatFillACloth) {
             3);
 }
 
+TEST(Nest, ChoosesTheMoreValuableOfEqualPieces) {
+  // The cloth has room for one of the large squares or for the small one.
+  Marker marker = unplaced_pieces({rectangle(900'000, 900'000), rectangle(200'000, 200'000)}, 3, kWidth);
+  marker.strip.longest = kWidth;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    NestSettings settings = settings_of(1'000);
+    settings.seed = seed;
+    settings.values = {{"0", 1}, {"1", 50}, {"2", 100}};
+    const Nesting nesting = nested(marker, settings);
+    ASSERT_EQ(nesting.marker.pieces.size(), 1u);
+    EXPECT_EQ(nesting.marker.pieces[0].id, "2") << "seed " << seed;
+  }
+}
+
 TEST(Nest, UsesOverlapAllowances) {
   // Two pieces next to each other fit the width only because of their allowance.
   Marker marker = unplaced_pieces({rectangle(300'000, 501'000)}, 8, kWidth);
