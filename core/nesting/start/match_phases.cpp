@@ -15,18 +15,17 @@ bool in_set(const Piece& piece) {
 // Of the sets of which no piece is placed: where the match point of the piece with the least room across lies when the
 // piece, as it is turned, is in the lower left corner of its room.
 void add_unplaced(const Marker& marker, Phases& phases) {
+  const Phases of_placed = phases;
   std::map<std::string_view, Coord> least;
   for (const Piece& piece : marker.unplaced) {
-    if (!in_set(piece)) continue;
+    if (!in_set(piece) || of_placed.contains(piece.rules.match_set)) continue;
     const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
     const Box box = box_of(outline);
     const marker::FoldEdge fold = fold_edge(piece.rules, outline, marker.strip);
     const Box room = room_for(piece.rules, box.height(), fold, marker.strip, kLatticeLimit);
     const Coord spare = room.height() - box.height();
     const auto [found, first] = least.try_emplace(piece.rules.match_set, spare);
-    const bool known = first && phases.contains(piece.rules.match_set);
-    if (known) found->second = -1;  // a placed piece says it
-    if (known || (!first && found->second <= spare)) continue;
+    if (!first && found->second <= spare) continue;
     found->second = spare;
     phases[piece.rules.match_set] = room.low - box.low + turned_match(piece);
   }

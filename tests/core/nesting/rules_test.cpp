@@ -126,6 +126,24 @@ TEST(RulesInNesting, MatchSetsKeepThePhaseOfAPieceThatIsLocked) {
   EXPECT_EQ(done->marker.pieces[1].rules, marker.unplaced[0].rules);  // as they were given
 }
 
+TEST(RulesInNesting, MatchSetsKeepThePhaseOfAPlacedPieceWhenOthersDoNotFitAsTheyAreTurned) {
+  Marker marker = unplaced_pieces({rectangle(12 * kSide, kSide)}, 4, kWidth);
+  marker.strip.repeat = {.along = 0, .across = 2 * kSide, .phase = {}};
+  for (Piece& piece : marker.unplaced) {
+    piece.rules.match = Vec{};
+    piece.rules.match_set = "A";
+  }
+  marker.pieces.push_back(marker.unplaced.back());
+  marker.unplaced.pop_back();
+  marker.pieces[0].at = {0, kSide / 3};
+  marker.pieces[0].locked = true;
+  for (Piece& piece : marker.unplaced) piece.orientation.rotation = {90};  // longer than the strip is wide
+  const auto done = nested(marker, 500);
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+  EXPECT_EQ(done->marker.pieces.size(), 4u);
+}
+
 TEST(RulesInNesting, PiecesWithANapLieInItsDirection) {
   Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}, {0, kSide}}}, 8, kWidth);
   const auto nap_of = [](std::size_t i) { return i % 2 == 0 ? marker::Nap::kUp : marker::Nap::kDown; };
