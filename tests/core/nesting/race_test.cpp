@@ -16,6 +16,7 @@ using test::kSide;
 using test::rectangle;
 
 constexpr std::uint64_t kShare = 60;
+constexpr std::size_t kTooMany = 1'000;  // starts, which end a race with the token of the fixture
 
 Marker rectangles_and_triangles() {
   const Polygon triangle{{0, 0}, {3 * kSide, 0}, {0, 2 * kSide}};
@@ -26,11 +27,11 @@ Marker rectangles_and_triangles() {
 class Races : public ::testing::Test {
  protected:
   // The best exploration of a race with this budget.
-  std::unique_ptr<Exploration> race(const Budget& budget, double raced) {
+  std::unique_ptr<Exploration> race(const Budget& budget, double raced, const NestTuning& tuning = {}) {
     const scene::Run run{sums_};
-    const NestTuning tuning;
     const auto begin = [&] {
       begun_at_.push_back(guided_.moves());
+      if (begun_at_.size() == kTooMany) stop_.request_stop();
       auto exploration = std::make_unique<Exploration>(
           set_, first_, guided_, tuning, budget, std::nullopt, run,
           [this](const Improvement& better) { shortest_ = std::min(shortest_, better.length); });
@@ -47,6 +48,7 @@ class Races : public ::testing::Test {
   local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}};
   std::vector<std::uint64_t> begun_at_;  // the moves before each start
   Coord shortest_{kLatticeLimit};
+  std::stop_source stop_;
 };
 
 TEST_F(Races, HaveOneStartWhenTheBudgetEndsWithIt) {
@@ -87,6 +89,14 @@ TEST_F(Races, AreLeftOutWhenOneStartTakesMostOfTheTime) {
   const Budget budget{1'000'000, elapsed, {}, 0.8, 40};
   (void)race(budget, 0.5);
   EXPECT_EQ(begun_at_.size(), 1U);
+}
+
+TEST_F(Races, EndWithTheFirstStartThatMakesNoMove) {
+  NestTuning in_vain;
+  in_vain.moves_in_vain = kShare / 2;
+  in_vain.least_gain = 1;
+  (void)race({1'000'000, {}, stop_.get_token(), 0.8, 40}, 0.5, in_vain);
+  EXPECT_LT(begun_at_.size(), kTooMany);
 }
 
 }  // namespace
