@@ -4,6 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/marker/clearance.h"
+#include "core/marker/placed_pieces.h"
+#include "core/model/ties.h"
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
@@ -22,6 +25,35 @@ std::vector<bool> with_groups(const Marker& marker, std::span<const PieceId> pie
     for (std::size_t k = 0; k < moving.size(); ++k) moving[k] = moving[k] || marker.pieces[k].group == group;
   }
   return moving;
+}
+
+// Whether the piece lies inside the container and its room, at the clearance from the ends of both.
+bool lies_inside(const marker::PlacedPieces& pieces, std::uint32_t piece, const Marker& marker,
+                 const bodies::Freedom& freedom) {
+  const Box& box = pieces.box(piece);
+  const Coord from_ends = marker.pieces[piece].rules.on_fold ? 0 : freedom.clearance;
+  if (!freedom.container.box.contains(box)) return false;
+  if (!pieces.room(piece, marker.strip, kLatticeLimit).grown(-from_ends).contains(box)) return false;
+  return std::ranges::none_of(freedom.container.walls, [&](const Polygon& wall) {
+    return marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance);
+  });
+}
+
+// The search moves no locked piece, and looks at those to be placed only as obstacles: whether they fit where they are.
+bool locked_pieces_fit(const Marker& marker, const bodies::Freedom& freedom) {
+  const model::Ties ties = model::ties_of(marker);
+  Marker staying = marker;
+  staying.pieces.clear();
+  std::vector<std::uint32_t> locked;  // to be placed; indices in `staying`
+  for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+    if (freedom.moving[k] && !ties.fixed(k)) continue;
+    if (freedom.moving[k]) locked.push_back(static_cast<std::uint32_t>(staying.pieces.size()));
+    staying.pieces.push_back(marker.pieces[k]);
+  }
+  if (locked.empty()) return true;
+  const marker::PlacedPieces pieces{staying};
+  const auto inside = [&](std::uint32_t piece) { return lies_inside(pieces, piece, staying, freedom); };
+  return std::ranges::all_of(locked, inside) && are_clear(pieces, locked);
 }
 
 Verdict verdict_of(const branching::SearchOutcome& outcome) {
@@ -53,6 +85,11 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const Nearby part = nearby(cloth.marker, with_groups(cloth.marker, cloth.wanted), room.box);
   bodies::Freedom freedom{part.moving, room, settings.turns, settings.clearance};
   freedom.container.box = freedom.container.box.grown(-settings.clearance);
+  const bool overlaps_ignored = settings.clearance == 0 && bodies::allows_overlaps(start);
+  if (!locked_pieces_fit(part.marker, freedom)) {
+    result.verdict = overlaps_ignored ? Verdict::kUndecided : Verdict::kImpossible;
+    return result;
+  }
   const bodies::Bodies bodies = bodies_of(part.marker, freedom, run);
   if (!bodies.complete) {
     result.verdict = Verdict::kUndecided;
@@ -73,8 +110,7 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const auto outcome =
       branching::search(bodies.problem, static_cast<double>(kLatticeLimit), 0, settings.limits, settings.tuning, calls);
   result.verdict = verdict_of(outcome);
-  const bool ignored = settings.clearance == 0 && bodies::allows_overlaps(start);
-  if (result.verdict == Verdict::kImpossible && ignored) result.verdict = Verdict::kUndecided;
+  if (result.verdict == Verdict::kImpossible && overlaps_ignored) result.verdict = Verdict::kUndecided;
   result.reason = reason_of(outcome.end);
   result.work = outcome.work;
   result.length_after = length_of(result.marker);

@@ -41,10 +41,10 @@ struct Containment : motion::repair::MotionResult {
 };
 
 // The pieces, with those of their groups, go to places inside the container and inside the strip.  Where they lie now
-// does not matter, and unplaced pieces (on_cloth.h) are among those that may be named.  When none of them can move, it
-// is `kFound` if they fit where they are.  Where overlap allowances, which are not used, might make room, it
-// is never `kImpossible`.  All pieces keep their rules (core/marker/rules.h); where several pieces of a shade are to be
-// placed at once, the search may miss layouts and ends undecided.  Unless they are found, `marker` is the input.
+// does not matter, except that locked ones have to fit where they are; unplaced pieces (on_cloth.h) are among those
+// that may be named.  Where overlap allowances, which are not used, might make room, it is never `kImpossible`.  All
+// pieces keep their rules (core/marker/rules.h); where several pieces of a shade are to be placed at once, the search
+// may miss layouts and ends undecided.  Unless they are found, `marker` is the input.
 [[nodiscard]] Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
                                   const ContainSettings& settings, const scene::Run& run);
 

@@ -20,7 +20,7 @@ struct RoomyContainment : Containment {
   std::optional<Coord> clearance_bound{};  // the least that is proved to be impossible
 };
 
-// `settings.clearance` is where it begins; the limits hold for all searches together.
+// `settings.clearance` is where it begins; the limits hold for all searches together.  REQUIRES: at least one piece.
 [[nodiscard]] RoomyContainment contain_with_most_room(const Marker& start, std::span<const PieceId> pieces,
                                                       const Container& container, const ContainSettings& settings,
                                                       const scene::Run& run);

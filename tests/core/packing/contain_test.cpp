@@ -228,6 +228,27 @@ TEST(Contain, FindsTheLayoutWithMostRoom) {
   EXPECT_EQ(none.marker, marker);
 }
 
+TEST(Contain, PiecesThatCannotMoveHaveToFitWhereTheyLie) {
+  test::Layout layout{100'000};
+  const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(square, {12'000, 12'000}, 0, true).put(square, {62'000, 12'000}, 0, true).put(square, {0, 60'000});
+  const Marker marker = layout.marker();
+  EXPECT_EQ(contained(marker, {{0}, {2}}, Box{{0, 0}, {40'000, 40'000}}).verdict, Verdict::kFound);
+  EXPECT_EQ(contained(marker, {{0}, {2}}, Box{{15'000, 0}, {60'000, 40'000}}).verdict, Verdict::kImpossible);
+  const Container triangle{Polygon{{0, 0}, {30'000, 0}, {0, 30'000}}};
+  EXPECT_EQ(contained(marker, {{0}}, triangle).verdict, Verdict::kImpossible);
+  SumCache sums;
+  ContainSettings settings;
+  settings.limits.nodes = 1'000;
+  const auto roomy =
+      contain_with_most_room(marker, std::vector<PieceId>{{0}}, Box{{0, 0}, {60'000, 60'000}}, settings, {sums});
+  ASSERT_EQ(roomy.verdict, Verdict::kFound);
+  EXPECT_EQ(roomy.reason, scene::StopReason::kConverged);
+  EXPECT_EQ(roomy.marker, marker);
+  EXPECT_GT(roomy.clearance, 11'800);
+  EXPECT_LE(roomy.clearance, 12'000);
+}
+
 TEST(Contain, KeepsTheStripsMarginsAndTheSpacing) {
   test::Layout layout{12'000};
   const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
