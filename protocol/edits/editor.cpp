@@ -70,10 +70,23 @@ class Editor {
   }
 
   Coord coordinate(double value, std::string_view field) {
-    const double far = formats::kFarthest * to_decimal(file_.marker.strip.width, resolution());
-    if (std::abs(value) <= far && fits_lattice(value, resolution())) return to_lattice(value, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, json::number_text(value) + " is too far out", pointer_of(edit_, field));
+    const double far =
+        std::min(formats::kFarthest * to_decimal(file_.marker.strip.width, resolution()), largest_length());
+    if (std::abs(value) <= far) return to_lattice(value, resolution());
+    mistake_.add(ErrorCode::kBeyondLattice,
+                 json::number_text(value) + " is too far out; up to " + json::number_text(far) +
+                     " in either direction is allowed",
+                 pointer_of(edit_, field));
     return 0;
+  }
+
+  // The largest length that the marker's lattice can hold, in the marker's unit.
+  [[nodiscard]] double largest_length() const { return to_decimal(kLatticeLimit - 1, resolution()); }
+  void refuse_length(const std::string& length, std::string_view field) {
+    mistake_.add(
+        ErrorCode::kBeyondLattice,
+        length + " is too large for the marker's lattice; up to " + json::number_text(largest_length()) + " is allowed",
+        pointer_of(edit_, field));
   }
 
   void apply(const AddPiece& add) {
@@ -248,7 +261,7 @@ class Editor {
     // Checked against the lattice only, because the limit for coordinates is measured in strip widths.
     const auto length = [this](double value, std::string_view field) {
       if (fits_lattice(value, resolution())) return to_lattice(value, resolution());
-      mistake_.add(ErrorCode::kBeyondLattice, json::number_text(value) + " is too far out", pointer_of(edit_, field));
+      refuse_length(json::number_text(value), field);
       return Coord{1};
     };
     if (strip.width) mine.width = length(*strip.width, "/width");
@@ -280,28 +293,26 @@ class Editor {
   marker::Repeat repeat_of(const formats::DecimalRepeat& written, std::string_view field) {
     const auto beyond = formats::beyond_lattice(written, resolution());
     if (!beyond) return formats::repeat_on_lattice(written, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, "a length of the repeat is too far",
-                 pointer_of(edit_, std::string{field}.append(*beyond)));
+    refuse_length("a length of the repeat", std::string{field}.append(*beyond));
     return {};
   }
   marker::Rules rules_of(const formats::DecimalRules& written, std::string_view field) {
     const auto beyond = formats::beyond_lattice(written, resolution());
     if (!beyond) return formats::rules_on_lattice(written, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, "a length of the rules is too far",
-                 pointer_of(edit_, std::string{field}.append(*beyond)));
+    refuse_length("a length of the rules", std::string{field}.append(*beyond));
     return {};
   }
   // A distance to keep, rounded up so that the rule holds.
   Coord clearance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::spacing_on_lattice(distance, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));
+    refuse_length(json::number_text(distance), field);
     return 0;
   }
 
   // An allowed distance, rounded down so that no more is allowed.
   Coord allowance(double distance, std::string_view field) {
     if (fits_lattice(distance, resolution())) return formats::overlap_on_lattice(distance, resolution());
-    mistake_.add(ErrorCode::kBeyondLattice, json::number_text(distance) + " is too far", pointer_of(edit_, field));
+    refuse_length(json::number_text(distance), field);
     return 0;
   }
 
@@ -321,7 +332,10 @@ class Editor {
       const Box box = box_of(placed_outline(file_.marker, PieceId{i}));
       const Coord reach = std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
       if (reach < kLatticeLimit) continue;
-      mistake_.add(ErrorCode::kBeyondLattice, "the piece comes to lie too far out", pointer_of(blame_.pieces[i]));
+      mistake_.add(ErrorCode::kBeyondLattice,
+                   "the piece would reach beyond the marker's lattice; coordinates up to " +
+                       json::number_text(largest_length()) + " are allowed",
+                   pointer_of(blame_.pieces[i]));
     }
   }
 

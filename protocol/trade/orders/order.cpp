@@ -239,7 +239,7 @@ Result<Order> one_of_each_size(Order order) {
                  "/quantities"};
   }
   if (order.mode == NapMode::kUpAndDown) {
-    return Error{ErrorCode::kOutOfRange, "upDown, by which every second bundle is turned; a plan takes one or either",
+    return Error{ErrorCode::kOutOfRange, "upDown turns every second bundle; in a plan, one or either is allowed",
                  "/mode"};
   }
   order.notes.clear();  // they concern the ratio

@@ -71,6 +71,16 @@ TEST(Edits, OfUnplacedPiecesReportMistakes) {
   expect_error(*off, "{'op':'place','piece':'left','at':[1e300,0]}", ErrorCode::kBeyondLattice, "/ops/0/at");
 }
 
+TEST(Edits, ErrorsOfLengthsBeyondTheLatticeNameTheLimit) {
+  for (const char* op :
+       {"{'op':'setSpacing','spacing':1e300}", "{'op':'setStrip','longest':1e300}",
+        "{'op':'move','piece':'left','at':[1e300,0]}", "{'op':'rules','piece':'left','rules':{'to':1e9}}"}) {
+    const auto after = edited(loose(), op);
+    ASSERT_FALSE(after) << op;
+    EXPECT_NE(after.error().message.find("; up to "), std::string::npos) << op << ": " << after.error().message;
+  }
+}
+
 TEST(Edits, EachOperationHasItsEffect) {
   const auto after = edited(loose(), R"({'op':'move','piece':'left','by':[1.5,2]},
       {'op':'rotate','piece':'left','to':80},{'op':'rotate','piece':'left','by':10},
