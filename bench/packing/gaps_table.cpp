@@ -5,7 +5,7 @@
 //   gaps_table [--least N] [--most N] [--gaps N] [--nodes N] [--seed N] [--slow MS] [--only GAP] MARKER.json...
 //
 // Uses `gaps` random gaps in each marker, of `least` to `most` pieces (defaults: 200 gaps of 3 to 9 pieces).  Times are
-// seconds of processor time.  With `--slow`, gaps that take so many milliseconds or more are listed on the error
+// seconds of processor time.  With `--slow`, gaps that take this many milliseconds or more are listed on the error
 // stream, with their numbers; `--only` asks for one of them.
 #include <algorithm>
 #include <array>

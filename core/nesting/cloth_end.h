@@ -1,5 +1,5 @@
-// What nesting does where the cloth ends: pieces that reach beyond the end come off the cloth, those of them that still
-// fit somewhere are put there, and what budget is left goes into the choice of the pieces that lie on it (filling).
+// What nesting does where the cloth ends: pieces that reach beyond the end are taken off, those of them that still fit
+// somewhere are put there, and the rest of the budget is spent on choosing the pieces that lie on the cloth (filling).
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ struct AtClothEnd {
   std::uint64_t seed{};
 };
 
-// `all` has all pieces as placed ones; they are valid but for the end of the cloth, which fixed pieces do not reach
-// beyond.  When cancelled, the pieces that reach beyond it are left over.
+// `all` has all pieces as placed ones; they are valid, except that pieces other than fixed ones may reach beyond the
+// end of the cloth.  When cancelled, those pieces are left over.
 [[nodiscard]] filling::Filling end_with_cloth(Marker all, const AtClothEnd& at, const scene::Run& run);
 
 }  // namespace selvage::nesting

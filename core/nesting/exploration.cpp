@@ -111,8 +111,8 @@ void Exploration::compress() {
   pool_.clear();
 }
 
-// By the present step.  Of a long marker only a stretch has to give way, each time another one: all of its pieces would
-// take too many moves to come apart at once.
+// Shortens by the present step.  In a long marker only one section has to give way, each time another one: it would
+// take too many moves to separate all pieces at once.
 void Exploration::shorten_boldly() {
   const double stretch = tuning_.search.stretch * set_->across();
   if (best_length() <= stretch) {

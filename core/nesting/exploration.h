@@ -5,8 +5,8 @@
 //     compress: shorten the best layout by a little at a random place, separate, compact
 //
 // Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
-// it counts; the strip is then shortened from the compacted length.  A search may be left for a while and taken up
-// again (race.h).
+// it counts; the strip is then shortened from the compacted length.  A search may be interrupted and continued later
+// (race.h).
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@
 
 namespace selvage::nesting {
 
-// The best marker of a search after so many moves.
+// The length of the best marker of a search, and the moves after which it was found.
 struct Improvement {
   std::uint64_t moves{};
   Coord length{};  // lattice units
   friend bool operator==(const Improvement&, const Improvement&) = default;
 };
 
-// Where the cloth ends, and how long a search goes on that has not brought all pieces before it.
+// Where the cloth ends, and how long a search continues that has not fitted all pieces before the end.
 struct ClothEnd {
   Coord last{};       // the largest x that a piece may reach; lattice units
   double patience{};  // part of the budget
@@ -46,9 +46,9 @@ class Exploration {
   Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search, const NestTuning& tuning,
               Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
 
-  // Builds a layout; the pieces that are `kept` stay where `start` has them, to begin with.
+  // Builds the first layout, in which the `kept` pieces lie where `start` has them.
   void begin(layout::Layout start, const std::vector<bool>& kept);
-  // Searches until it has made so many more moves, the budget is used up, or nothing shorter is possible.
+  // Searches until it has made this many more moves, the budget is used up, or nothing shorter is possible.
   void advance(std::uint64_t moves);
 
   [[nodiscard]] const Marker& best() const { return best_; }
@@ -57,7 +57,7 @@ class Exploration {
   [[nodiscard]] bool converged() const { return converged_; }
 
  private:
-  // Calls work(), which ends after so many moves of this exploration.
+  // Calls work(), which ends after this many moves of this exploration.
   template <class Work>
   void limited(std::uint64_t moves, const Work& work);
   void search();
@@ -86,7 +86,7 @@ class Exploration {
   std::uint64_t until_{};        // moves of the search at which the present part ends
   Marker best_;
   Coord length_;
-  double worth_;         // while the best is this long or longer, the search is in vain; lattice units
+  double worth_;         // as long as the best is not shorter, the search has gained too little; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
   bool converged_{};

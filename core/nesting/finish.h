@@ -1,8 +1,8 @@
-// The end of a nesting: small turns of the pieces, which the search itself does not know.
+// The end of a nesting: small rotations of the pieces, which the search itself does not make.
 //
-// Pieces turn within the limits of their shapes.  Pieces of shapes that may turn freely turn by up to half of the angle
-// between the rotations that the search tries, so that all rotations are within reach; what they turn becomes a part of
-// their rotation.  Fixed pieces keep their orientation.
+// Pieces are tilted within the limits of their shapes.  Those whose shapes may turn freely are turned by up to half of
+// the angle between the rotations that the search tries, so that every rotation can be reached; this angle becomes a
+// part of their rotation.  Fixed pieces keep their orientation.
 #pragma once
 
 #include <functional>

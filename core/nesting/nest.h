@@ -3,18 +3,18 @@
 //
 // Method.  A guided local search over penetration depths ([UYI+09], [IYN09], [GVW25]) finds layouts that hardly overlap
 // in a given length; linear programs ([Li94], core/motion) remove what is left, compact the layout, and prove it; then
-// the strip is shortened (exploration.h).  Where the cloth ends before all pieces lie on it, the rest of the budget
-// goes into the choice of those that do (filling/fill.h).  At last, pieces turn by small angles (finish.h).  What is
+// the strip is shortened (exploration.h).  If the cloth ends before all pieces lie on it, the rest of the budget is
+// spent on choosing those that do (filling/fill.h).  Finally, pieces are rotated by small angles (finish.h).  What is
 // new here: the field of a whole strip, added up from rasterised Minkowski sums (local_search/field.h), and the
 // compaction after every success.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) Every piece of the input is in the answer, placed or, when
-// the cloth ends before it, unplaced.  (3) Locked pieces and pieces of groups stay in place, but for compaction, which
-// moves groups as one.  (4) If the input places all pieces and is valid, and the search is not from scratch, the answer
-// is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and however
-// many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an end, more
-// moves never give a longer marker, before pieces turn by small angles and unless they are nested in batches.  (7) When
-// `elapsed` reaches 1, the linear program that is being solved is the last one.
+// the cloth ends before it, unplaced.  (3) Locked pieces and pieces of groups stay in place, except for compaction,
+// which moves groups as one.  (4) If the input places all pieces and is valid, and the search is not from scratch, the
+// answer is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and
+// however many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an
+// end, more moves never give a longer marker, before pieces turn by small angles and unless they are nested in batches.
+// (7) When `elapsed` reaches 1, the linear program that is being solved is the last one.
 #pragma once
 
 #include <cstdint>
@@ -37,9 +37,9 @@ struct NestSettings {
   std::uint64_t moves{};    // budget of every search
   std::size_t searches{1};  // independent ones; the best answer counts
   std::uint64_t seed{};
-  bool turn{true};  // at last pieces turn by small angles, where their shapes allow it (finish.h)
+  bool turn{true};  // finally rotates pieces by small angles, where their shapes allow it (finish.h)
   layout::PlacedPiecesMay placed{layout::PlacedPiecesMay::kMove};
-  // Takes all pieces off the cloth first, but for locked ones and groups: the answer may then be longer than the input.
+  // Takes all pieces except locked ones and groups off the cloth first: the answer may then be longer than the input.
   bool from_scratch{};
   // The part of the caller's time that is used up, 0..1; empty when only moves are limited.  Called by the thread of
   // every search.

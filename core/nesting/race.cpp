@@ -26,7 +26,7 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
   return std::move(best->exploration);
 }
 
-// After the first start has made so many moves.
+// The moves that several starts can make in their part of the time, going by the moves that the first has made so far.
 std::uint64_t Race::share_in_time(std::uint64_t moves) const {
   constexpr double kStarts = 8;
   const double used = std::max(budget_.used(moves), std::numeric_limits<double>::min());
@@ -36,7 +36,7 @@ std::uint64_t Race::share_in_time(std::uint64_t moves) const {
 }
 
 bool Race::may_start(std::uint64_t moves, double first) const {
-  constexpr double kFewestStarts = 4;  // of fewer, the best is too little better than the first
+  constexpr double kFewestStarts = 4;  // the best of fewer is hardly better than the first
   if (budget_.over(moves) || runners_.back().exploration->converged()) return false;
   return !budget_.timed() || (kFewestStarts * first <= terms_.raced && budget_.used(moves) + first <= terms_.raced);
 }

@@ -1,14 +1,16 @@
-// Several explorations from different starts, of which the better ones go on.
+// A race of explorations from different starts, of which the better ones continue.
 //
-// A search soon reaches a length from which it hardly gets away, and how good that is depends on its start.  So starts
-// are compared after equal work: of two that have made as many moves, the shorter one makes as many again, and is
-// compared with the winner of two others [KKS13, JT16].
+// A search soon reaches a length that it hardly improves any more, and how short that is depends on its start.  So
+// explorations are compared after equal numbers of moves: of two, the one with the shorter marker makes as many moves
+// again, and is then compared with the winner of two others (successive halving [KKS13, JT16]).
 //
-//     start a search and let it make a first share of moves
-//     while the last two have made as many moves: drop the longer one, and let the other make as many again
+//     repeat: begin an exploration and let it make a first share of moves
+//       while the last two explorations have made equally many moves:
+//         drop the one with the longer marker, and let the other make as many moves again
 //
-// What happens does not depend on the limit in moves.  With a limit in time, a part of it goes into starts, whose share
-// is smaller where that leaves time for more of them, and the best search has the rest.
+// With a limit on moves, what a race does next does not depend on the limit.  With a time limit, a part of the time is
+// spent on starts, whose share of moves is reduced where that leaves time for more of them; the best exploration gets
+// the rest.
 #pragma once
 
 #include <cstdint>
@@ -26,11 +28,9 @@ class Race {
   // Begins an exploration.
   using Begin = std::function<std::unique_ptr<Exploration>()>;
 
-  // The moves of a start before it is compared: `most`, or fewer when time is limited; and the part of the time that
-  // goes into starts.
   struct Terms {
-    std::uint64_t least{}, most{};
-    double raced{};
+    std::uint64_t least{}, most{};  // moves of a start before it is compared: `most`; with a time limit maybe fewer
+    double raced{};                 // part of a time limit that is spent on starts
   };
 
   Race(Begin begin, Terms terms, const Budget& budget)
@@ -38,13 +38,13 @@ class Race {
 
   // Returns the best exploration.
   [[nodiscard]] std::unique_ptr<Exploration> run(const local_search::GuidedSearch& search);
-  // The linear programs of all others.
+  // The number of linear programs that the other explorations have solved.
   [[nodiscard]] int programs() const { return programs_; }
 
  private:
   struct Runner {
     std::unique_ptr<Exploration> exploration;
-    int shares{};  // that it has made: a power of two
+    int shares{};  // of moves that it has made: a power of two
   };
 
   [[nodiscard]] std::uint64_t share_in_time(std::uint64_t moves) const;

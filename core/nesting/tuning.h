@@ -23,20 +23,20 @@ struct NestTuning {
   double first_squeeze{5e-4};     // attempts that shorten the best layout by this part,
   double last_squeeze{1e-5};      // at the end by this one,
   std::size_t squeeze_patience{100}, squeeze_strikes{5};
-  // A search ends after so many moves when they have shortened the marker by no more than this part.
+  // A search ends after this many moves if they have shortened the marker by no more than this part.
   std::uint64_t moves_in_vain{std::numeric_limits<std::uint64_t>::max()};
   double least_gain{0};
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
-  // A start makes so many moves before it is compared with another one (race.h), fewer when time is short; with a limit
-  // in time, starts are made until this part of it is used up.
+  // A start makes this many moves before it is compared with another one (race.h), fewer when time is short; with a
+  // time limit, new starts are made until this part of it is used up.
   std::uint64_t raced_moves{50'000}, least_raced_moves{20'000};
   double raced{0.5};
-  // Part of the budget after which a search gives up bringing all pieces before the cloth's end, and rather chooses
-  // which of them lie on it: when their area is less than the cloth's, and when it is not.
+  // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
+  // of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};
-  double searched{0.9};       // part of a limit in time that the search has, when pieces may then turn by small angles
-  int separation_rounds{12};  // when repair cannot remove what the search has left
-  std::size_t most_pieces{2'000};                 // larger sets are nested in batches
+  double searched{0.9};            // part of a time limit that the search has when small rotations may follow it
+  int separation_rounds{12};       // when repair cannot remove what the search has left
+  std::size_t most_pieces{2'000};  // larger sets are nested in batches
   std::size_t map_bytes{std::size_t{192} << 20};  // of the sampled maps of a search
   local_search::SearchTuning search{};
   filling::FillTuning fill{};

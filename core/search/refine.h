@@ -3,9 +3,9 @@
 // First standard compaction.  Then compaction from the same start with other region rules, trust radii and weights of
 // gravity, because a descent's end depends on its path.  Then nesting from where the best of these has the pieces
 // (renesting.h).  Then, where shapes allow tilts, tilting of the result and of the start (core/motion/tilting/tilt.h).
-// Last swaps of pieces (swap_search.h), in turn in the best marker without new tilts, which is tilted again when it has
-// become shorter, and in the best marker of all.  The search ends when it is predicted to gain little more (effort.h);
-// there is none in a marker that a locked piece ends or that is full.
+// Finally swaps of pieces (swap_search.h), alternately in the best marker without new tilts, which is tilted again when
+// it has become shorter, and in the best marker of all.  The search ends when it is predicted to gain little more
+// (effort.h).  A marker that ends with a locked piece, or is full, is not searched.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the answers of standard compaction
 // and, where tilts are allowed, of standard tilting, unless cancelled before that was done, and never longer than the

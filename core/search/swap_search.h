@@ -1,10 +1,10 @@
 // The swaps of refinement: a local search in which every trial swaps two pieces or turns one (swap.h), and keeps the
 // marker if it does not become longer.
 //
-// Most trials begin with a piece that holds the length (core/motion/compaction/critical_path.h): no other swap can
-// shorten the marker.  In a tilted marker, a trial that comes close is also tilted, for as many rounds as there is
-// hope. Threads make several trials in parallel, all on the same marker; only those count that a sequential run would
-// have made: up to the first one that is kept.  The answer therefore depends on no number of threads.
+// Most trials begin with a piece on the critical path (core/motion/compaction/critical_path.h): no other swap can
+// shorten the marker.  In a tilted marker, a trial that comes close is also tilted, as long as its rounds gain enough.
+// Threads make several trials in parallel, all on the same marker; only those count that a sequential run would have
+// made: up to the first one that is kept.  So the answer does not depend on the number of threads.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ class SwapSearch {
   // Trials in `found` until the effort is enough, or has reached `until`, or there is nothing to swap.  `tilted`:
   // trials that come close are tilted.
   void search(Found& found, bool tilted, std::uint64_t until, Effort& effort);
-  // True when so many trials in a row found nothing to swap that there is nothing.
+  // True when RefineTuning::idle_trials in a row have found nothing to swap.
   [[nodiscard]] bool exhausted() const { return idle_ >= tuning_.idle_trials; }
 
  private:
@@ -47,7 +47,7 @@ class SwapSearch {
   const scene::Run& run_;
   Report report_;
   std::mt19937 random_;
-  std::vector<PieceId> critical_;  // the pieces that hold the length
+  std::vector<PieceId> critical_;  // the pieces on the critical path
   std::uint64_t idle_{};           // trials in a row that solved no program
 };
 

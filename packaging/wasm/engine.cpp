@@ -10,7 +10,7 @@
 #include "server/dispatch/backend.h"
 
 extern "C" {
-// Given by the page: takes a message of so many bytes, at once.
+// Provided by the page: takes a message of this many bytes, at once.
 __attribute__((import_module("page"), import_name("send"))) void send_to_page(const char* text, std::size_t bytes);
 }
 

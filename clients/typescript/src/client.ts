@@ -19,7 +19,7 @@ export interface ClientOptions {
   patience?: number;
 }
 
-/** For so many milliseconds after the connection was restored, calls are sent again if the daemon is busy. */
+/** For this many milliseconds after the connection was restored, calls are sent again if the daemon is busy. */
 const INSIST = 10_000;
 
 interface Pending {

@@ -4,8 +4,8 @@
 // indices are needed inside a block.  The factorisation is up-looking: it computes the factor row by row, each row by a
 // sparse triangular solve [Dav06 4].  The pattern of every row is computed once.
 // Blocks are stored in column-major order.
-// The last block columns may be left: the matrix that remains of them when the others have been eliminated is their
-// Schur complement, and both triangular solves leave them out.
+// The last block columns may be kept: they are not eliminated, their Schur complement remains after the others have
+// been, and both triangular solves skip them.
 // Work is counted in block updates, each a product of two blocks.  When cancelled, a factorisation ends within
 // kUpdatesPerCheck of them and the longest row.
 // Invariant: block columns are in elimination order.
@@ -35,7 +35,7 @@ class BlockCholesky {
  public:
   static constexpr std::uint64_t kUpdatesPerCheck = std::uint64_t{1} << 20;  // some milliseconds
 
-  // Leaves the last `remaining` block columns.  REQUIRES: there are as many.
+  // Keeps the last `remaining` block columns.  REQUIRES: there are at least as many.
   explicit BlockCholesky(BlockPattern pattern, std::size_t remaining = 0);
 
   // Only the lower triangles of the diagonal blocks are read.  False when the matrix is not positive definite in
@@ -58,7 +58,7 @@ class BlockCholesky {
 
  private:
   void find_rows();
-  // Stores what is left of a row of the remaining matrix in work_, but for its diagonal block.
+  // Moves a row of the remaining matrix, except its diagonal block, from work_ to below_.
   void keep_row(std::size_t k);
 
   BlockPattern pattern_;

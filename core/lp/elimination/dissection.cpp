@@ -11,8 +11,8 @@
 namespace selvage::lp::elimination {
 namespace {
 
-// A vertex in more nets than this many times the root of the number of vertices is a hub, but never one in fewer than
-// the second number.
+// A vertex is a hub if it is in more nets than kHubNets times the square root of the number of vertices, and in more
+// than kLeastHubNets.
 constexpr double kHubNets = 10;
 constexpr std::size_t kLeastHubNets = 300;
 // Cuts are looked for within this part of a domain's vertices on either side of the place that divides them equally.

@@ -3,10 +3,10 @@
 //
 // The graph is given by its nets: all vertices of a net are adjacent to each other.  The vertices of a component are
 // sorted into levels by their distance from a vertex at one of its ends, which a breadth-first search finds from
-// the end of another [GL79].  A level separates what is before it from what is after it.  The graph is cut near the
-// k/domains parts of its vertices, at the level nearby of which the fewest vertices are adjacent to the next one; these
-// form the border, together with the hubs: vertices in so many nets that they would join everything. Deterministic: the
-// result depends on the nets and the number of domains alone.
+// the end of another [GL79].  A level separates what is before it from what is after it.  The graph is cut near every
+// multiple of 1/domains of its vertices, at the nearby level that has the fewest vertices adjacent to the next level;
+// these vertices form the border, together with the hubs: vertices in so many nets that they would join everything.
+// Deterministic: the result depends on the nets and the number of domains alone.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// The normal equations of the columns that several domains share (division.h): what remains of each domain's, when its
-// own columns have been eliminated, adds up to a matrix over the border, the Schur complement of the whole.
+// The normal equations of the columns that several domains share (division.h): what remains of each domain's equations
+// after its own columns have been eliminated adds up to a matrix over the border, the Schur complement of the whole.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ class Border {
  public:
   struct Member {
     const NormalEquations* normal{};  // outlives the border
-    int own{};                        // its first column that is left
-    std::span<const int> border;      // of each of the columns left, its index in the border
+    int own{};                        // the first column that it keeps
+    std::span<const int> border;      // of each kept column, its index in the border
   };
   // `columns`: the program's, ascending; a program that is not divided has none.
   Border(std::span<const int> columns, std::span<const Member> members);

@@ -27,8 +27,8 @@ struct Division {
 // Laws.  (1) Every row belongs to one domain, and all its columns are that domain's; columns that cannot move belong to
 // none.  (2) Every other column is some domain's own, or in the border.
 //
-// A domain has about `size` pieces, or other groups of consecutive columns that occur in the same rows.  Programs with
-// less than two domains' are not divided.  REQUIRES: size > 0.
+// A domain has about `size` pieces, or other groups of consecutive columns that occur in the same rows.  Programs that
+// would have fewer than two domains are not divided.  REQUIRES: size > 0.
 [[nodiscard]] Division division(const LinearProgram& program, int size);
 
 // The program of a domain, with its columns and rows in their order.  Columns of the border have costs and bounds at

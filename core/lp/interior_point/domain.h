@@ -2,8 +2,8 @@
 // which touches nothing outside of the domain.  The iteration for min c.x with A x - s = b, s >= 0, and the dual
 // A^T z = c, z >= 0, is that of interior_point.h.
 //
-// A program that is not divided is one domain without a border.  Otherwise a stage that leaves a sum over all rows in
-// the border's entries leaves the domain's part of it, and the parts of all domains have to be added up.
+// A program that is not divided is one domain without a border.  Otherwise, the sums over rows that a stage leaves in
+// the border's entries are those over the domain's own rows, and those of all domains have to be added up.
 // Vectors over columns end with the zero column of RowRuns, which is 0 in all of them.
 #pragma once
 

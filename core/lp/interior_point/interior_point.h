@@ -39,7 +39,7 @@ struct InteriorPointSettings {
 
 // The solution lies in the interior of the feasible region, near the centre of the optimal face.  kFailed when the
 // method does not converge: it does not try to prove infeasibility or unboundedness, which is left to the simplex
-// method.  Deterministic, whatever the executor; checks `stop` once per iteration.
+// method.  Deterministic, whatever the executor; checks `stop` before every iteration and within factorisations.
 // REQUIRES: lower <= upper, no NaN.
 [[nodiscard]] LpSolution solve_by_interior_point(const LinearProgram& program,
                                                  const InteriorPointSettings& settings = {}, std::stop_token stop = {},

@@ -1,4 +1,4 @@
-// The linear program solvers behind one function [design: solve].
+// The linear program solvers behind one function.
 //
 // Small programs, and those where a vertex matters, are solved by the simplex method (COIN-OR Clp), large ones by the
 // interior point method; each is the fallback of the other.  When simplex finds no optimum, the result is confirmed by

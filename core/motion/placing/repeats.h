@@ -13,8 +13,8 @@ namespace selvage::motion::placing {
 // axes on which nothing repeats, whose repeat is 0.
 [[nodiscard]] double least_distance(Vec at, Vec wanted, Vec repeat);
 
-// Up to so many whole numbers of repeats by which a piece may move, those first that bring it nearest to the wanted
-// position.  REQUIRES: a repeat on some axis.
+// Up to `count` displacements by whole repeats, first those that bring a piece nearest to the wanted position.
+// REQUIRES: a repeat on some axis.
 [[nodiscard]] std::vector<Vec> jumps_towards(Vec from, Vec wanted, Vec repeat, std::size_t count);
 
 }  // namespace selvage::motion::placing

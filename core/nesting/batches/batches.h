@@ -18,8 +18,8 @@ namespace selvage::nesting::batches {
 
 struct BatchTuning {
   std::size_t pieces{300};  // of a batch, at most
-  std::size_t beside{80};   // pieces of those before that take part in it, about; fewer where they
-  double reach{0.5};        // lie farther than so many widths from the right end
+  std::size_t beside{80};   // earlier pieces that take part in it, about; fewer where they lie
+  double reach{0.5};        // farther than this many widths from the right end
   friend bool operator==(const BatchTuning&, const BatchTuning&) = default;
 };
 

@@ -183,7 +183,7 @@ class Filler {
     return search_.separate(std::move(layout), {settings_.tuning.patience, 1}, [this] { return over(); });
   }
 
-  // Makes a valid marker of the pieces that lie; false when that fails or they do not end with the strip.
+  // Makes a valid marker of the pieces that lie; false when that fails or they reach beyond the strip.
   bool keep(const Layout& layout, const std::vector<bool>& lies) {
     Marker lying = with_lying_pieces(to_marker(set_, layout, best_.marker), lies);
     lying.strip = lying.strip.ending(std::nullopt);

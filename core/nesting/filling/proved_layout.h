@@ -9,8 +9,8 @@
 
 namespace selvage::nesting::filling {
 
-// The marker repaired, compacted and proved; separated before, in at most so many rounds, where repair alone fails.
-// Nothing when that fails, too, or when cancelled before the marker is valid.
+// The marker repaired, compacted and proved.  Where repair alone fails, it is separated first, in at most
+// `separation_rounds`.  Nothing when that fails, too, or when cancelled before the marker is valid.
 [[nodiscard]] std::optional<motion::compaction::Compaction> proved(const Marker& marker, int separation_rounds,
                                                                    const scene::Run& run);
 

@@ -25,7 +25,7 @@ struct Persistence {
 
 class GuidedSearch {
  public:
-  // `pixel` of the sampled maps: see pixel_of.  REQUIRES: the set outlives the search.
+  // `map_bytes`: memory for the sampled maps.  REQUIRES: the set outlives the search.
   GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes, const SearchTuning& tuning);
 
   // The layout of least loss that was found, and its loss: 0 when nothing overlaps by more than the tolerance.
@@ -45,7 +45,7 @@ class GuidedSearch {
   [[nodiscard]] bool insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others);
   // Moves one piece to where it overlaps least.
   void settle(layout::Layout& layout, std::size_t piece);
-  // The piece that loses most of those that may move and are not `spared`; nothing when none of them loses.
+  // Of the pieces that may move and are not `spared`, the one with the largest loss; nothing when none has any.
   [[nodiscard]] std::optional<std::size_t> most_overlapping(const layout::Layout& layout,
                                                             std::optional<std::size_t> spared);
   // Large pieces change places, and small ones that lay on them follow [GVW25].

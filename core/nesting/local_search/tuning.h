@@ -7,7 +7,7 @@ namespace selvage::nesting::local_search {
 
 struct SearchTuning {
   double charge{5};               // added to the depth of every overlap: to touch at all costs something
-  double pixels_per_side{8};      // of a grid cell: so many on the side of a square as large as the mean piece
+  double pixels_per_side{8};      // grid cells along the side of a square as large as the mean piece
   double tolerance{0.02};         // depths up to this count as none: repair removes them
   std::size_t best_places{3};     // places of the field that a move examines closely
   std::size_t rows_per_place{5};  // rows of the field that are looked at for each of them
@@ -15,7 +15,7 @@ struct SearchTuning {
   // Widths: in a longer layout, bold attempts shorten one stretch of this length, and a move looks no farther than half
   // of it to either side.
   double stretch{6};
-  std::size_t dear_fields{300};  // from so many pieces times orientations on, a move leaves out most orientations
+  std::size_t dear_fields{300};  // with this many pieces times orientations or more, a move skips most orientations
   // Descents, in pixels except the limits of exact ones: from, and down to, steps of this size.
   double stay_step{0.5}, rough_step{0.7}, fine_step{0.2};
   double rough_limit{0.5}, fine_limit{0.1}, last_step{0.1}, last_limit{0.01};

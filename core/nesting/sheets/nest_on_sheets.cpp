@@ -85,7 +85,7 @@ class Driver {
                            [this](double sum, std::size_t i) { return sum + worth_.area[i]; });
   }
 
-  // Fills a sheet until so much of the whole budget is spent.
+  // Fills a sheet until this part of the whole budget is spent.
   Filled fill_until(const UsedSheet& present, const Indices& more, const std::vector<double>& values, double until) {
     const std::uint64_t least = kLeast + 3 * more.size();
     const auto over = [this, until, least](std::uint64_t moves) {
@@ -98,7 +98,7 @@ class Driver {
     return done;
   }
 
-  // At most so many of the pieces that are left, evenly from the large to the small ones.
+  // At most about kMostCandidates of the pieces that are left, evenly from the large to the small ones.
   [[nodiscard]] Indices candidates() const {
     Indices chosen;
     const std::size_t step = left_.size() / kMostCandidates + 1;
@@ -151,7 +151,7 @@ class Driver {
         return std::any_of(used_.begin(), used_.end(), [&](const UsedSheet& used) { return fits(piece, used.kind); });
       });
     }
-    // So many of the largest sheets have the area of all pieces.
+    // The number of the largest sheets that have the area of all pieces.
     double area = 0;
     std::size_t needed = 0;
     const double pieces = std::accumulate(worth_.area.begin(), worth_.area.end(), 0.0);

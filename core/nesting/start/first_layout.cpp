@@ -14,7 +14,7 @@ namespace selvage::nesting::start {
 namespace {
 
 constexpr int kLengths = 4;            // strips that are tried,
-constexpr double kLonger = 1.25;       // each so much longer than the one before
+constexpr double kLonger = 1.25;       // each by this factor longer than the one before
 constexpr std::size_t kPatience = 60;  // iterations without progress on one of them, as in a bold attempt (../tuning.h)
 
 class FirstLayout {

@@ -1,7 +1,8 @@
 // The valid marker of all pieces that a nesting search starts from, and that it has to beat.
 //
-// Without rules of pieces that are shelves, which need no search.  Shelves do not always keep bands that end and shades
-// (shelves.h); where they do not, a guided local search looks for a layout that does, on ever longer strips.
+// Unless pieces have rules, this is a layout on shelves, which needs no search.  Shelves do not always keep bands that
+// end and shades (shelves.h); where they do not, a guided local search looks for a layout that does, on ever longer
+// strips.
 #pragma once
 
 #include <cstddef>

@@ -17,8 +17,8 @@ namespace selvage::nesting::start {
 // Errors: kMarkerOverlaps and kOutsideStrip when they do not; `field` is a JSON pointer into the marker.
 [[nodiscard]] std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set);
 
-// By placed piece, which of them stay where they are, to begin with: all when they lie validly, else those that are
-// fixed.
+// By placed piece, whether it stays where it is at first: all pieces do when they lie validly, otherwise the fixed
+// ones.
 [[nodiscard]] std::vector<bool> kept_where_valid(const Marker& start, const layout::PieceSet& set);
 
 }  // namespace selvage::nesting::start

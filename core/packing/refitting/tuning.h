@@ -14,7 +14,7 @@ struct FillTuning {
   // Of the length that the other pieces give up: how much of it the refitted pieces may use, tried one after another.
   std::array<double, 2> parts{0.3, 0.97};
   double least_gain{1e-5};      // of the others when pieces are taken out, in widths
-  std::uint64_t any_one_in{4};  // one trial in so many begins with any small piece, the others with a critical one
+  std::uint64_t any_one_in{4};  // one trial in this many begins with any small piece, the others with a critical one
   friend bool operator==(const FillTuning&, const FillTuning&) = default;
 };
 

@@ -3,10 +3,10 @@
 // A state has the ratios of its markers, some of which may lie unused, and the units of plies of every colour.  A step
 // changes a ratio or two by a bundle, replaces a marker, or changes a number of plies; then the plies of every colour
 // are changed, by one or two markers at a time, as long as that makes the state cheaper.  Garments beyond what the
-// limits allow are paid for.  What is dearer is accepted with a probability that falls, as usual [KGV83].
+// limits allow are paid for.  Dearer states are accepted with a falling probability, as usual [KGV83].
 //
-// This is how a few markers are found that deliver an order nearly exactly; an integer program hardly sees them,
-// because its relaxation mixes small parts of many.
+// This finds a few markers that deliver an order nearly exactly.  An integer program rarely does, because its
+// relaxation mixes small parts of many.
 #pragma once
 
 #include <cstdint>

@@ -3,8 +3,8 @@
 // Method.  The relaxation gives a bound and says what every candidate would add to it.  Simulated annealing
 // (annealing.h) finds a cutting, and integer programs over its markers and their neighbours (one bundle more, fewer, or
 // of another size) improve it.  Then the bound is raised: sets of few markers are listed (program/few_markers.h), and
-// all other cuttings pay for more markers.  At last, an integer program over all candidates that could still be better
-// closes the gap, as far as its nodes go.
+// all other cuttings pay for more markers.  Finally, an integer program over all candidates that could still be better
+// closes the gap as far as its limit of nodes allows.
 //
 // Laws.  (1) The answer delivers what is ordered, checked in integers.  (2) bound <= cost; when they are equal, no
 // cutting of any ratio is cheaper at these lengths.  (3) The answer costs no more than `start`.  (4) Deterministic.

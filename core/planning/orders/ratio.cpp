@@ -22,7 +22,7 @@ double perimeter_of(const Order& order, const Ratio& ratio) {
   return perimeter;
 }
 
-// There are C(sizes + bundles, bundles) ratios of at most so many bundles, one of which is empty.
+// There are C(sizes + bundles, bundles) ratios of at most this many bundles, one of which is empty.
 std::size_t number_of_ratios(std::size_t sizes, int bundles, std::size_t most) {
   std::size_t count = 1;
   for (std::size_t k = 1; k <= static_cast<std::size_t>(bundles); ++k) {

@@ -2,14 +2,15 @@
 //
 // A relaxation pays for small parts of many markers and lays, a cutting for whole ones.  The more markers every cutting
 // is known to have, the better the bound (CuttingProgram).  So all sets of 1, 2, ... candidates are listed, as far as
-// the work allows, and it is decided exactly whether the markers of a set deliver the order, and at which cost at
+// the work allows, and it is decided exactly whether the markers of a set deliver the order, and what they cost at
 // least.
 //
 // Method.  Colour by colour, a marker's ratio times its units, summed over the set, must lie in the box of what may be
-// delivered.  All markers of a set but the last are left out of sight by projecting onto two directions at right angles
-// to their ratios: there, the box of every colour must meet the ray of the last ratio.  The rays of two colours mostly
-// differ, and with them all sets of these markers and another one are done with.  The few sets that remain are decided
-// by trying all units, within bounds. Units: as of cutting.h.
+// delivered.  All markers of a set but the last are eliminated by projecting onto two directions perpendicular to their
+// ratios: in the projection, the ray of the last ratio must meet the box of every colour.  Two colours rarely have such
+// a ray in common, and then all sets of these markers and another one are excluded at once.  The few sets that remain
+// are decided by trying all units, within bounds.
+// Units: as of cutting.h.
 #pragma once
 
 #include <cstdint>

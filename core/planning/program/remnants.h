@@ -2,7 +2,7 @@
 //
 // Every colour is a problem of its own, with several knapsacks: a remnant holds whole units of plies, of one marker or
 // of several, one behind the other.  The saving is proportional to the length that is used.  All ways are tried,
-// beginning with those that fill the first remnants most, up to a number of steps that cuttings of a few markers hardly
+// beginning with those that fill the first remnants most, up to a number of steps that cuttings of a few markers rarely
 // reach.
 //
 // Units: millimetres; money in the caller's currency; plies are counted in units (orders::Problem::plies_of_unit).

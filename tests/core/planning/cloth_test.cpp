@@ -88,7 +88,7 @@ TEST(Lays, TellWhichPliesComeFromRemnants) {
   }
 }
 
-// One marker of 4,960 mm under so many plies of one colour: each takes 5,000 mm.
+// One marker of 4,960 mm under this many plies of one colour: each takes 5,000 mm.
 Cutting five_metres(int plies) {
   Cutting cutting;
   program::Use& use = cutting.uses.emplace_back();

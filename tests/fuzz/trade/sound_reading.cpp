@@ -10,8 +10,8 @@ namespace {
 
 using protocol::files::FileFormat;
 
-// Of texts that are read, one in so many is written and read back, or written in every format: both take far longer
-// than reading.  The bytes decide, so that a failing input fails again.
+// Of the texts that are read, one in kReadBackOneIn is written and read back, and one in kWrittenOneIn is written in
+// every format: both take far longer than reading.  The bytes decide, so that a failing input fails again.
 constexpr std::size_t kReadBackOneIn = 8;
 constexpr std::size_t kWrittenOneIn = 512;
 constexpr std::size_t kManyPieces = 200;  // a file may ask for thousands with one number: read, and not written
