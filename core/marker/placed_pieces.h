@@ -35,14 +35,14 @@ class PlacedPieces {
     const SharedPolygon& polygon = *polygons_[piece];
     return {polygon.vertices, polygon.box, at_[piece]};
   }
-  // The piece as another one meets it: of a piece with a part, to a zone that is too bad for the part alone, that part.
-  // Its box is that of the whole piece.
+  // What the other one must not overlap: the piece or, where the other one is a zone that is too bad for the piece's
+  // part alone, that part.  The box is that of the whole piece.
   [[nodiscard]] geometry::PlacedPolygon facing(std::size_t piece, std::size_t other) const {
     if (!shows_part(piece, other)) return (*this)[piece];
     const SharedPolygon& polygon = *polygons_[piece];
     return {polygon.part, polygon.box, at_[piece]};
   }
-  // True when the other one meets nothing of the piece but its part.
+  // True when the other one must not overlap the piece's part, but may overlap the rest of it.
   [[nodiscard]] bool shows_part(std::size_t piece, std::size_t other) const {
     return rooms_ && only_part_meets(rooms_->rules[piece], rooms_->rules[other]);
   }
@@ -85,13 +85,13 @@ class PlacedPieces {
   [[nodiscard]] Box room(std::size_t piece, const Strip& strip, Coord end) const {
     return rooms_ ? room_by_rules(piece, strip, end) : strip.room(end);
   }
-  // How far apart the positions of the piece are that are alike to the cloth's pattern; 0 on an axis on which all are.
+  // The repeat of the pattern that the piece has to match; 0 on an axis on which it need not match.
   [[nodiscard]] Vec repeat_of(std::size_t piece, const Strip& strip) const {
     const bool matched = rooms_ && (rooms_->rules[piece].matched_to_cloth() || match_set_of(piece) != nullptr);
     return matched ? Vec{strip.repeat.along, strip.repeat.across} : Vec{};
   }
-  // The same, near enough to the other pieces of its shade, and in phase with those of its match set, where they are
-  // now: those that move with it aside.  Empty (high < low) where no position is.
+  // The room, limited to positions near enough to the other pieces of its shade and in phase with those of its match
+  // set, where these lie now; pieces that move with it do not count.  Empty (high < low) if there is no such position.
   [[nodiscard]] Box room_among(std::size_t piece, const std::vector<bool>& moving, const Strip& strip, Coord end) const;
   // The pieces of each shade.
   [[nodiscard]] std::span<const Shade> shades() const {

@@ -51,7 +51,7 @@ struct Part {
 // The edge of folded or tubular cloth on which a piece lies.
 enum class FoldEdge { kLower, kUpper };
 
-// The rules of one piece.  One that is absent leaves the piece to the strip.
+// The rules of one piece.  Where one is absent, the strip's own applies, if it has one.
 struct Rules {
   std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
   std::optional<Coord> from{}, to{};      // a band across the cloth: it lies between these two x

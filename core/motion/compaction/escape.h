@@ -3,16 +3,15 @@
 // A round's program keeps each pair in one convex part of the free space around it.  Where the pieces touch at corners,
 // or a half-plane's line holds them beyond the edge it belongs to, another part would let them pass; to choose the best
 // is NP-hard [Li94 8.1].  Sweeps of single-piece moves (sweep.h) choose a part for every piece and every step.  They
-// are used in two ways:
+// are used in three ways:
 // (1) In a loose marker, or when the rounds gain next to nothing and end at contacts that may not be real
 //     (core/model/contacts/contact.h), sweeps and rounds alternate while both together still gain.
 // (2) In a loose marker, where pieces travel far and the way decides where they end, the sweeps also start from where
 //     the rounds started, rounds follow, and the shorter answer is kept.
-// (3) In a tight marker of few pieces, sweeps alone start from there, too.  They seldom leave it shorter than the
-// rounds
-//     do; only then do rounds follow.
-// A tight marker of more pieces that the rounds shorten, or that they leave at firm contacts only, is spared all three.
-// A turn of sweeps counts as one round, unless it was in vain as in (3).
+// (3) In a tight marker of few pieces, sweeps alone start from there, too.  Rounds follow only when the sweeps leave it
+//     shorter than the rounds did, which is rare.
+// A tight marker of more pieces that the rounds shorten, or that they leave at firm contacts only, needs none of them.
+// A turn of sweeps counts as one round, except where (3) gains nothing.
 #pragma once
 
 #include <cstddef>
