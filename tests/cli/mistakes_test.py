@@ -23,6 +23,15 @@ class BadUsage(CliTest):
                 self.assertEqual(ran.returncode, BAD_USAGE)
                 self.assertNotEqual(ran.stderr, "")
 
+    def test_a_number_out_of_range_is_refused_with_the_range(self):
+        for option, value, message in (("--rounds", "-1", "--rounds: -1 is out of range; 0 to 100000 is allowed"),
+                                       ("--rounds", "many", "--rounds: many is not a number; 0 to 100000 is allowed"),
+                                       ("--simplification", "nan", "--simplification: nan is out of range; 0 to 1 is allowed")):
+            with self.subTest(value):
+                ran = run("compact", MARKERS / "jeans_02g.json", option, value)
+                self.assertEqual(ran.returncode, BAD_USAGE)
+                self.assertIn(message, ran.stderr)
+
     def test_help_lists_the_exit_codes(self):
         ran = run("compact", "--help")
         self.assertEqual(ran.returncode, OK)

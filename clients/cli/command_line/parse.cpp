@@ -43,6 +43,17 @@ std::string not_a_choice(const std::string& word, const std::vector<std::string>
   return meant ? reason + "; did you mean " + *meant + "?" : reason;
 }
 
+// The error message for a word that is not a number from `least` to `most`; empty if it is one.
+template <class T>
+std::string not_in_range(const std::string& word, T least, T most) {
+  T value{};
+  const bool read = CLI::detail::lexical_cast(word, value);
+  if (read && least <= value && value <= most) return {};
+  std::ostringstream reason;
+  reason << word << (read ? " is out of range; " : " is not a number; ") << least << " to " << most << " is allowed";
+  return reason.str();
+}
+
 // The parser calls `set` with a value of type T when the option is given.
 template <class T>
 CLI::Option* add_valued(CLI::App& app, const Option& option, Values& values) {
@@ -74,10 +85,12 @@ void add(CLI::App& app, const Option& option, Values& values) {
   added->option_text(shown);
   added->description(wrapped(meaning_of(option), kColumns - kNameColumns));
   if (option.range && option.kind == Kind::kInteger) {
-    added->check(
-        CLI::Range(static_cast<std::int64_t>(option.range->least), static_cast<std::int64_t>(option.range->most)));
+    added->check([range = *option.range](const std::string& word) {
+      return not_in_range(word, static_cast<std::int64_t>(range.least), static_cast<std::int64_t>(range.most));
+    });
   } else if (option.range) {
-    added->check(CLI::Range(option.range->least, option.range->most));
+    added->check(
+        [range = *option.range](const std::string& word) { return not_in_range(word, range.least, range.most); });
   }
   if (!option.choices.empty())
     added->check([choices = option.choices](const std::string& word) { return not_a_choice(word, choices); });
