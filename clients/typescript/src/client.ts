@@ -118,11 +118,12 @@ export class Client {
 
   private async openConnection(): Promise<void> {
     let ended = false; // the connection may end before `connect` resolves
-    const connection = await this.connect({
+    let connection: Connection | undefined;
+    connection = await this.connect({
       message: (text) => this.receive(JSON.parse(text) as Message),
       closed: (reason) => {
         ended = true;
-        if (this.connection === connection) void this.lost(reason);
+        if (connection && this.connection === connection) void this.lost(reason);
       },
     });
     if (ended) throw new ConnectionLost("the connection ended at once");

@@ -105,3 +105,11 @@ test("calls that a loading daemon refuses after the connection broke are sent ag
   assert.deepEqual(await client.call("marker.list", {}), { calls: 6 });
   client.close();
 });
+
+test("a connection that ends together with its first answer counts as ended at once", async () => {
+  const transport = async (listener) => ({
+    send: () => (listener.message("{}"), listener.closed("it broke")),
+    close: () => {},
+  });
+  await assert.rejects(Client.open(transport), ConnectionLost);
+});
