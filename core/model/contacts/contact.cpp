@@ -12,8 +12,8 @@ namespace {
 
 // The cosine of the angle between normals that count as the same: about 0.1 degrees.
 constexpr double kSameNormal = 1 - 1e-6;
-// The sine of the least turn of a corner that is told from a straight edge: along flatter ones, such as those of a
-// curve's polygon, the half-planes of both edges let the piece pass.
+// The sine of the least turn of a corner that is distinguished from a straight edge: along flatter ones, such as those
+// of a curve's polygon, the half-planes of both edges let the piece pass.
 constexpr double kFlat = 0.2;
 // The cosine of the angle between a chord of an arc (core/model/free_region.h) and the arc's normals at its ends: at
 // most 0.25 radians.
