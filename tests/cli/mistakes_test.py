@@ -37,6 +37,12 @@ class BadUsage(CliTest):
         self.assertEqual(ran.returncode, OK)
         self.assertIn("Exit codes", ran.stdout)
 
+    def test_help_says_what_giving_a_flag_does(self):
+        text = " ".join(run("remake", "--help").stdout.split())
+        self.assertIn("--fine The result is refined", text)
+        self.assertIn("search for a shorter marker in each --keep-trims", text)
+        self.assertIn("--edges Gaps to", " ".join(run("float", "--help").stdout.split()))
+
 
 class BadInput(CliTest):
     def refused(self, document, code, *said):

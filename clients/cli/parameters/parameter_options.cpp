@@ -110,11 +110,15 @@ std::string with_option_names(std::string_view text) {
 // the names of their options.
 std::string meaning_on_command_line(const FieldDescription& parameter, bool flag) {
   std::string text = without_full_stop(parameter.meaning);
-  const std::string_view given = is_switched_off(parameter) ? "False: " : "True: ";
-  if (flag && text.starts_with(given)) {
-    text.erase(0, given.size());
-    text.erase(std::min(text.find("; false: "), text.size()));
+  const bool off = is_switched_off(parameter);
+  for (const std::string_view beginning : {off ? "False: " : "True: ", "Whether "}) {
+    if (!flag || !text.starts_with(beginning) || (off && beginning == "Whether ")) continue;
+    text.erase(0, beginning.size());
+    for (const std::string_view otherwise : {"; false: ", ". False: "}) {
+      text.erase(std::min(text.find(otherwise), text.size()));
+    }
     text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    break;
   }
   return with_option_names(text);
 }
