@@ -73,7 +73,7 @@ TEST(Edits, OfUnplacedPiecesReportMistakes) {
 
 TEST(Edits, ErrorsOfLengthsBeyondTheLatticeNameTheLimit) {
   for (const char* op :
-       {"{'op':'setSpacing','spacing':1e300}", "{'op':'setStrip','longest':1e300}",
+       {"{'op':'setSpacing','spacing':1e8}", "{'op':'setStrip','longest':1e8}",
         "{'op':'move','piece':'left','at':[1e300,0]}", "{'op':'rules','piece':'left','rules':{'to':1e9}}"}) {
     const auto after = edited(loose(), op);
     ASSERT_FALSE(after) << op;
