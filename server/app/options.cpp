@@ -59,7 +59,7 @@ void declare_listeners(CLI::App& app, Options& options, RawOptions& raw) {
                  "An origin whose pages may call, such as https://marker.example; may be repeated");
 }
 
-void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
+void declare_threads(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--workers", options.workers, "Threads for motions; 0 executes them on the I/O thread, for tests")
       ->check(CLI::Range(0, 256))
       ->capture_default_str();
@@ -73,9 +73,12 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
       ->check(CLI::IsMember({"auto", "on", "off"}))
       ->expected(0, 1)
       ->capture_default_str();
+}
+
+void declare_memory(CLI::App& app, RawOptions& raw) {
   app.add_option("--memory", raw.memory_mb,
-                 "Memory in MiB for everything that clients can make grow and for the program itself: sums, requests "
-                 "and answers; the rest is for markers, their histories and the answers kept for retries")
+                 "Memory in MiB for the program itself and for everything that clients can make grow: Minkowski sums, "
+                 "requests and answers; the rest is for markers, their histories and the answers kept for retries")
       ->check(CLI::Range(64, 1 << 24))
       ->capture_default_str();
   app.add_option("--cache-mb", raw.cache_mb,
@@ -88,6 +91,9 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
                  "The part of --memory for requests being received or answered and for answers not yet sent, in MiB; "
                  "by default a quarter, at most 512")
       ->check(CLI::Range(1, 1 << 20));
+}
+
+void declare_limits(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--max-connections", options.limits.transport.connections, "Maximum number of open connections")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -100,6 +106,12 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
          "Time limit of a call, including waiting: a motion then returns its best result so far, a long read fails")
       ->check(CLI::Range(1, 86'400))
       ->capture_default_str();
+  app.add_option("--drain-seconds", raw.drain_seconds, "Time limit for shutting down after SIGTERM or SIGINT")
+      ->check(CLI::Range(0, 3600))
+      ->capture_default_str();
+}
+
+void declare_store(CLI::App& app, Options& options, RawOptions& raw) {
   app.add_option("--store", options.store,
                  "The file (SQLite) in which markers survive restarts; without it they are kept in memory only")
       ->default_str("none");
@@ -107,9 +119,6 @@ void declare_work(CLI::App& app, Options& options, RawOptions& raw) {
          "--durability", raw.durability,
          "full: an acknowledged change survives a power failure; relaxed: it survives only an end of the process")
       ->check(CLI::IsMember({"full", "relaxed"}))
-      ->capture_default_str();
-  app.add_option("--drain-seconds", raw.drain_seconds, "Time limit for shutting down after SIGTERM or SIGINT")
-      ->check(CLI::Range(0, 3600))
       ->capture_default_str();
 }
 
@@ -256,7 +265,10 @@ std::variant<Options, EarlyExit> parse_options(int argc, const char* const* argv
   app.set_version_flag("--version", "selvaged " + std::string{ops::kVersion});
   app.allow_config_extras(CLI::config_extras_mode::error);
   declare_listeners(app, options, raw);
-  declare_work(app, options, raw);
+  declare_threads(app, options, raw);
+  declare_memory(app, raw);
+  declare_limits(app, options, raw);
+  declare_store(app, options, raw);
   declare_log(app, options, raw);
   declare_tasks(app, options, raw);
   try {

@@ -17,7 +17,7 @@ class ByteAccount {
   explicit ByteAccount(std::size_t limit = std::numeric_limits<std::size_t>::max()) : limit_{limit} {}
 
   [[nodiscard]] bool has_room(std::size_t bytes = 1) const { return fits(held_, bytes); }
-  // The room that must be free for a caller who asks for so many bytes and already holds many.  An eighth of the
+  // The room that must be free for a caller who asks for this many bytes and already holds many.  An eighth of the
   // account is reserved for callers who hold little, so that they are served whatever the others do.
   [[nodiscard]] std::size_t beside_reserve(std::size_t bytes) const { return bytes + limit_ / 8; }
   [[nodiscard]] std::size_t held() const { return held_; }

@@ -120,56 +120,59 @@ ExitCode run_show(const command_line::Values& values) {
   return code;
 }
 
+std::vector<command_line::Option> convert_options() {
+  using trade::kFoldWords, trade::kNapWords, trade::kUnitWords;
+  const auto& formats = protocol::files::kFileFormatNames;
+  return {input_option(),
+          {.name = "OUT", .kind = Kind::kText, .meaning = "File to write; - writes standard output"},
+          {.name = "-o,--out", .kind = Kind::kText, .meaning = "The same as OUT", .placeholder = "FILE"},
+          {.name = "--format",
+           .kind = Kind::kText,
+           .meaning = "Format to write; default: by the suffix of OUT",
+           .choices = {std::begin(formats), std::end(formats)}},
+          {.name = "--unit",
+           .kind = Kind::kText,
+           .meaning = "Unit of a pattern or cut file, instead of the one it states",
+           .choices = {std::begin(kUnitWords), std::end(kUnitWords)}},
+          {.name = "--width",
+           .kind = Kind::kNumber,
+           .meaning = "Width of the cloth in mm, which a pattern file does not state; default: 1500",
+           .range = command_line::Range{1, 1e6},
+           .placeholder = "LENGTH"},
+          {.name = "--sizes",
+           .kind = Kind::kText,
+           .meaning = "Sizes of a graded style, separated by commas; default: all",
+           .placeholder = "SIZE,..."},
+          {.name = "--rules",
+           .kind = Kind::kText,
+           .meaning = "Grade rule table (.rul) from which the sizes are made",
+           .placeholder = "FILE"},
+          {.name = "--order",
+           .kind = Kind::kText,
+           .meaning = "Order (JSON or CSV) that lists the garments to cut",
+           .placeholder = "FILE"},
+          {.name = "--fold",
+           .kind = Kind::kText,
+           .meaning =
+               "Unfold half pieces about their mirror line, keep them as drawn, or lay them on the fold of the cloth, "
+               "where other pieces are cut as pairs; default: unfold",
+           .choices = {std::begin(kFoldWords), std::end(kFoldWords)}},
+          {.name = "--nap",
+           .kind = Kind::kText,
+           .meaning = "Whether pieces of a pattern may also lie turned by 180 degrees; default: one_way",
+           .choices = {std::begin(kNapWords), std::end(kNapWords)}},
+          {.name = "--tolerance",
+           .kind = Kind::kNumber,
+           .meaning = "How far a flattened curve may lie from the true one, in mm; default: 0.05",
+           .range = command_line::Range{1e-4, 100},
+           .placeholder = "LENGTH"},
+          {.name = "--plain", .kind = Kind::kFlag, .meaning = "Read every closed outline of a DXF as a piece"}};
+}
+
 }  // namespace
 
 command_line::Command convert_command() {
-  using trade::kFoldWords, trade::kNapWords, trade::kUnitWords;
-  const auto& formats = protocol::files::kFileFormatNames;
-  std::vector<command_line::Option> options{
-      input_option(),
-      {.name = "OUT", .kind = Kind::kText, .meaning = "File to write; - writes standard output"},
-      {.name = "-o,--out", .kind = Kind::kText, .meaning = "The same as OUT", .placeholder = "FILE"},
-      {.name = "--format",
-       .kind = Kind::kText,
-       .meaning = "Format to write; default: by the suffix of OUT",
-       .choices = {std::begin(formats), std::end(formats)}},
-      {.name = "--unit",
-       .kind = Kind::kText,
-       .meaning = "Unit of a pattern or cut file, instead of the one it states",
-       .choices = {std::begin(kUnitWords), std::end(kUnitWords)}},
-      {.name = "--width",
-       .kind = Kind::kNumber,
-       .meaning = "Width of the cloth in mm, which a pattern file does not state; default: 1500",
-       .range = command_line::Range{1, 1e6},
-       .placeholder = "LENGTH"},
-      {.name = "--sizes",
-       .kind = Kind::kText,
-       .meaning = "Sizes of a graded style, separated by commas; default: all",
-       .placeholder = "SIZE,..."},
-      {.name = "--rules",
-       .kind = Kind::kText,
-       .meaning = "Grade rule table (.rul) from which the sizes are made",
-       .placeholder = "FILE"},
-      {.name = "--order",
-       .kind = Kind::kText,
-       .meaning = "Order (JSON or CSV) that lists the garments to cut",
-       .placeholder = "FILE"},
-      {.name = "--fold",
-       .kind = Kind::kText,
-       .meaning =
-           "Unfold half pieces about their mirror line, keep them as drawn, or lay them on the fold of the cloth, "
-           "where other pieces are cut as pairs; default: unfold",
-       .choices = {std::begin(kFoldWords), std::end(kFoldWords)}},
-      {.name = "--nap",
-       .kind = Kind::kText,
-       .meaning = "Whether pieces of a pattern may also lie turned by 180 degrees; default: one_way",
-       .choices = {std::begin(kNapWords), std::end(kNapWords)}},
-      {.name = "--tolerance",
-       .kind = Kind::kNumber,
-       .meaning = "How far a flattened curve may lie from the true one, in mm; default: 0.05",
-       .range = command_line::Range{1e-4, 100},
-       .placeholder = "LENGTH"},
-      {.name = "--plain", .kind = Kind::kFlag, .meaning = "Read every closed outline of a DXF as a piece"}};
+  std::vector<command_line::Option> options = convert_options();
   for (command_line::Option& option : override_options()) options.push_back(std::move(option));
   return {"convert",
           "Converts a marker or a pattern file to another format",
