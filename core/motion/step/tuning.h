@@ -29,7 +29,7 @@ struct StepTuning {
   double motion_ahead{8};
   // but never by less than this fraction of the motion of all pairs.
   double least_motion{0.2};
-  // Length per unit of room: rows that hold the length by more than this count as pressed on.
+  // Length per unit of room: rows on which the length depends by more than this count as pressed on.
   double pressed{1e-2};
   // Column units by which the length may grow in a program that shortens it, so that rows can have their margins.
   double spare_length{1e-2};

@@ -148,8 +148,8 @@ class Filler {
     const auto closed = compact(out.rest, whole_compaction(), run);
     if (!closed) return outcome;
     const auto gap = static_cast<double>(length - closed->length_after);
-    // When others hold the length as well, a piece may go elsewhere all the same: then the next trial has one less of
-    // them in its way.
+    // When other pieces are on critical paths as well, taking these out gains nothing; they may go elsewhere all the
+    // same, so that the next trial has fewer of them in its way.
     const bool level = gap < least;
     for (const double part : settings_.tuning.parts) {
       const Coord end = level ? length : closed->length_after + static_cast<Coord>(part * gap);
