@@ -14,9 +14,9 @@ namespace {
 // Pieces that lie on the cloth must be free to go elsewhere, and those that do not, to be turned like what lay there.
 std::optional<Error> defect_of(const Marker& order) {
   const auto refused = [](const Piece& piece, const char* list, std::size_t i) {
-    return Error{ErrorCode::kOutOfRange,
-                 "piece \"" + piece.id + "\" is locked or in a group; all pieces of an order must be free to move",
-                 list + std::to_string(i)};
+    const char* why = piece.rules.zone ? "is a zone of the cloth; an order consists of pieces that are to be cut"
+                                       : "is locked or in a group; all pieces of an order must be free to move";
+    return Error{ErrorCode::kOutOfRange, "piece \"" + piece.id + "\" " + why, list + std::to_string(i)};
   };
   for (std::size_t i = 0; i < order.pieces.size(); ++i) {
     const Piece& piece = order.pieces[i];

@@ -51,8 +51,8 @@ struct Remake : motion::repair::MotionResult {
 };
 
 // The positions of the order's placed pieces do not matter.
-// Errors: kOutOfRange for a placed piece that is locked or in a group, and for an unplaced one that may not tilt; those
-// of nest, when it is asked for.
+// Errors: kOutOfRange for a zone, for a placed piece that is locked or in a group, and for an unplaced one that may not
+// tilt; those of nest, when it is asked for.
 [[nodiscard]] Result<Remake> remake(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings,
                                     const scene::Run& run);
 

@@ -1,6 +1,7 @@
 // The laws of remaking, on garments and on random markers.
 #include "core/remake/remake.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -198,6 +199,16 @@ TEST(Remake, RefusesLockedPiecesAndGroups) {
   const auto turned = remake(order, std::vector<Marker>{}, {}, scene::Run{sums});
   ASSERT_FALSE(turned);
   EXPECT_EQ(turned.error().field, "/unplaced/7");
+}
+
+TEST(Remake, RefusesZones) {
+  Marker order = test::garment("jeans_02g");
+  order.pieces[3].rules.zone = true;
+  SumCache sums;
+  const auto done = remake(order, std::vector<Marker>{order}, {}, scene::Run{sums});
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().field, "/pieces/3");
+  EXPECT_THAT(done.error().message, testing::HasSubstr("is a zone of the cloth"));
 }
 
 TEST(Remake, DoesNotDependOnThreadsOrTheCache) {
