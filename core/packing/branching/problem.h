@@ -52,4 +52,11 @@ struct Problem {
   [[nodiscard]] std::uint32_t world() const { return static_cast<std::uint32_t>(bodies.size()); }
 };
 
+// The layouts that are like a given one: in the same variants, and no body is farther away along an axis.
+struct Vicinity {
+  std::vector<RealVec> positions;      // of the bodies
+  std::vector<std::uint32_t> variant;  // of the bodies
+  double reach{};
+};
+
 }  // namespace selvage::packing::branching

@@ -42,7 +42,7 @@ Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
       positions_(problem.bodies.size() + 1),
       conflicts_(problem.rings.size()) {}
 
-std::optional<Node> Relaxation::root(double ceiling) {
+std::optional<Node> Relaxation::undecided_root(double ceiling) {
   const std::size_t count = problem_->bodies.size();
   ceiling_ = ceiling;
   Node node{.x = DifferenceBounds{count},
@@ -64,10 +64,35 @@ std::optional<Node> Relaxation::root(double ceiling) {
       return std::nullopt;
   }
   start_program(node);
-  for (std::uint32_t body = 0; body < count; ++body) {
-    if (problem_->bodies[body].variants.size() == 1 && !decide(node, body, 0)) return std::nullopt;
+  return node;
+}
+
+std::optional<Node> Relaxation::root(double ceiling) {
+  auto node = undecided_root(ceiling);
+  if (!node) return std::nullopt;
+  for (std::uint32_t body = 0; body < problem_->world(); ++body) {
+    if (problem_->bodies[body].variants.size() == 1 && !decide(*node, body, 0)) return std::nullopt;
   }
-  if (!limit_length(node) || !settle(node)) return std::nullopt;
+  if (!limit_length(*node) || !settle(*node)) return std::nullopt;
+  return node;
+}
+
+std::optional<Node> Relaxation::root_in(const Vicinity& vicinity, double ceiling) {
+  auto node = undecided_root(ceiling);
+  if (!node) return std::nullopt;
+  const std::uint32_t world = problem_->world();
+  const double reach = vicinity.reach;
+  for (std::uint32_t body = 0; body < world; ++body) {
+    const RealVec at = vicinity.positions[body];
+    if (!node->x.raise(world, body, std::floor(at.x - reach)) ||
+        !node->x.raise(body, world, -std::ceil(at.x + reach)) ||
+        !node->y.raise(world, body, std::floor(at.y - reach)) || !node->y.raise(body, world, -std::ceil(at.y + reach)))
+      return std::nullopt;
+  }
+  for (std::uint32_t body = 0; body < world; ++body) {
+    if (!decide(*node, body, vicinity.variant[body])) return std::nullopt;
+  }
+  if (!limit_length(*node) || !settle(*node)) return std::nullopt;
   return node;
 }
 

@@ -44,6 +44,8 @@ class Relaxation {
 
   // The node of all layouts not longer than the ceiling; nothing when there are none.
   [[nodiscard]] std::optional<Node> root(double ceiling);
+  // The same of those in a vicinity.
+  [[nodiscard]] std::optional<Node> root_in(const Vicinity& vicinity, double ceiling);
   // The four ways to go on.  False, or nothing, when no layout is left.
   [[nodiscard]] bool decide(Node& node, std::uint32_t body, std::uint32_t variant);
   [[nodiscard]] bool keep_arc(Node& node, std::size_t ring, Arc arc);
@@ -75,6 +77,7 @@ class Relaxation {
   [[nodiscard]] Work& work() { return work_; }
 
  private:
+  [[nodiscard]] std::optional<Node> undecided_root(double ceiling);
   [[nodiscard]] double least_width(const Node& node, std::uint32_t body) const;
   void start_program(Node& node);
   [[nodiscard]] RealBox pair_box(const Node& node, const RingState& ring) const;
@@ -89,6 +92,7 @@ class Relaxation {
   void gather(const RingState& ring, const RealBox& box);
   void make_hull(const Node& node, RingState& ring);
   [[nodiscard]] bool add_violated_rows(Node& node);
+  [[nodiscard]] bool violates_bounds(const Node& node, std::uint32_t a, double least) const;
   [[nodiscard]] bool add_violated_bounds(Node& node);
   [[nodiscard]] bool add_violated_hull(Node& node, RingState& ring);
   [[nodiscard]] Ranges ranges(const Node& node) const;

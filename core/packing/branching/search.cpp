@@ -23,11 +23,13 @@ class Rounds {
         tuning_{tuning},
         calls_{calls} {}
 
-  SearchOutcome run() {
+  SearchOutcome run(const Vicinity* vicinity) {
     const bool possible = std::none_of(problem_.bodies.begin(), problem_.bodies.end(),
                                        [](const Body& body) { return body.variants.empty(); });
     Relaxation relaxation{problem_, tuning_.branch};
-    auto root = possible ? relaxation.root(ceiling_) : std::nullopt;
+    auto root = !possible  ? std::nullopt
+                : vicinity ? relaxation.root_in(*vicinity, ceiling_)
+                           : relaxation.root(ceiling_);
     outcome_.work += relaxation.work();
     if (root) open_.emplace_back(problem_, tuning_.branch, *std::move(root), ceiling_);
     while (!over()) round();
@@ -70,6 +72,11 @@ class Rounds {
     std::erase_if(open_, [](const Subtree& subtree) { return subtree.done(); });
     for (Subtree& subtree : open_) subtree.lower_ceiling(ceiling_);
     calls_.on_round(bound(), outcome_.work);
+    if (!calls_.guess || answered_ || open_.empty() || calls_.stop.stop_requested()) return;
+    if (const auto leaf = calls_.guess(outcome_.work)) {
+      calls_.on_leaf(*leaf);
+      answered_ = true;
+    }
   }
 
   // Brings the subtrees with the least bounds to the front; of equal ones, those that were explored least, because a
@@ -118,8 +125,8 @@ class Rounds {
 }  // namespace
 
 SearchOutcome search(const Problem& problem, double ceiling, double gap, const WorkLimits& limits,
-                     const SearchTuning& tuning, const SearchCalls& calls) {
-  return Rounds{problem, ceiling, gap, limits, tuning, calls}.run();
+                     const SearchTuning& tuning, const SearchCalls& calls, const Vicinity* vicinity) {
+  return Rounds{problem, ceiling, gap, limits, tuning, calls}.run(vicinity);
 }
 
 }  // namespace selvage::packing::branching

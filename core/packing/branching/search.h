@@ -34,13 +34,17 @@ struct SearchCalls {
   PlaceLeaf place_leaf;
   std::function<void(const Leaf&)> on_leaf;  // of every leaf that is placed
   std::function<void(double bound, const Work&)> on_round = [](double, const Work&) {};
+  // Called after every round without a layout: one that is found in another way, placed, ends the search.  Adds its own
+  // work.  Only where any layout will do.
+  std::function<std::optional<Leaf>(Work&)> guess{};
   std::stop_token stop{};
   const Executor* executor = &serial();
 };
 
 // Searches the layouts up to the ceiling.  Where the length is minimised, until none is shorter than the shortest one
-// found by more than the gap; otherwise until one is found.
+// found by more than the gap; otherwise until one is found.  With a vicinity, layouts outside of it do not count.
 [[nodiscard]] SearchOutcome search(const Problem& problem, double ceiling, double gap, const WorkLimits& limits,
-                                   const SearchTuning& tuning, const SearchCalls& calls);
+                                   const SearchTuning& tuning, const SearchCalls& calls,
+                                   const Vicinity* vicinity = nullptr);
 
 }  // namespace selvage::packing::branching
