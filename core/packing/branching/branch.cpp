@@ -133,9 +133,11 @@ Children children(Relaxation& relaxation, const Problem& problem, const Node& no
   bool refuted = false;
   const double slack = tuning.slack / relaxation.columns().scale;
   const Reasons own = programs::decision(node.depth);
+  std::optional<Node> next;  // takes over the memory of a child that was refuted
   const auto attempt = [&](const auto& restrict) {
     if (refuted) return;
-    Node child = node;
+    next = node;
+    Node& child = *next;
     ++child.depth;
     child.program.drop_slack_rows(relaxation.columns(), slack);
     if (restrict(child) && relaxation.settle(child)) {

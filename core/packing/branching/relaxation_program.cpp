@@ -53,9 +53,13 @@ void Relaxation::gather(const RingState& ring, const RealBox& box) {
 }
 
 void Relaxation::make_hull(const Node& node, RingState& ring) {
-  gather(ring, pair_box(node, ring));
   ring.hull_begin = static_cast<std::uint32_t>(hulls_.size());
-  cells::append_hull(points_, hulls_);
+  if (ring.arc.count == 1) {
+    for (const HalfPlane& side : problem_->rings[ring.ring].sides(ring.arc.first)) cells::append_side(side, hulls_);
+  } else {
+    gather(ring, pair_box(node, ring));
+    cells::append_hull(points_, hulls_);
+  }
   ring.hull_end = static_cast<std::uint32_t>(hulls_.size());
 }
 
@@ -73,11 +77,25 @@ Ranges Relaxation::ranges(const Node& node) const {
   return all;
 }
 
+// Whether the solution violates, by more than `least`, a bound on how far another body is ahead of body `a`.
+bool Relaxation::violates_bounds(const Node& node, std::uint32_t a, double least) const {
+  const RealVec own = positions_[a];
+  const double* const x = node.x.lower_from(a);
+  const double* const y = node.y.lower_from(a);
+  double most = -1;
+  for (std::size_t b = 0; b < positions_.size(); ++b) {
+    most = std::max(most, x[b] - (positions_[b].x - own.x));
+    most = std::max(most, y[b] - (positions_[b].y - own.y));
+  }
+  return most > least;
+}
+
 bool Relaxation::add_violated_bounds(Node& node) {
   const double least = tuning_.violated / columns_.scale;
   const auto world = problem_->world();
   bool any = false;
   for (std::uint32_t a = 0; a <= world; ++a) {
+    if (!violates_bounds(node, a, least)) continue;
     for (std::uint32_t b = 0; b <= world; ++b) {
       if (a == b) continue;
       const RealVec way{positions_[b].x - positions_[a].x, positions_[b].y - positions_[a].y};
@@ -112,7 +130,9 @@ bool Relaxation::add_violated_hull(Node& node, RingState& ring) {
     worst = &hulls_[k];
   }
   if (worst) {
-    node.program.add(columns_, {ring.first, ring.second, false, *worst, ring.why | why_pair_box(node, ring)});
+    // The sides of a single wedge hold in any box.
+    const Reasons why = ring.arc.count == 1 ? ring.why : ring.why | why_pair_box(node, ring);
+    node.program.add(columns_, {ring.first, ring.second, false, *worst, why});
   }
   return worst != nullptr;
 }

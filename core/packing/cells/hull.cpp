@@ -13,6 +13,10 @@ double turn(RealVec a, RealVec b, RealVec c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+bool is_along_axis(const HalfPlane& plane) {
+  return std::abs(plane.nx) < kAlongAxis || std::abs(plane.ny) < kAlongAxis;
+}
+
 void append_plane(RealVec from, RealVec to, std::vector<HalfPlane>& planes) {
   const double x = to.x - from.x;
   const double y = to.y - from.y;
@@ -20,11 +24,14 @@ void append_plane(RealVec from, RealVec to, std::vector<HalfPlane>& planes) {
   if (length < kShortest) return;
   const double nx = -y / length;
   const double ny = x / length;
-  if (std::abs(nx) < kAlongAxis || std::abs(ny) < kAlongAxis) return;
-  planes.push_back({nx, ny, nx * from.x + ny * from.y - kRounding});
+  append_side({nx, ny, nx * from.x + ny * from.y - kRounding}, planes);
 }
 
 }  // namespace
+
+void append_side(const HalfPlane& plane, std::vector<HalfPlane>& planes) {
+  if (!is_along_axis(plane)) planes.push_back(plane);
+}
 
 void append_hull(std::vector<RealVec>& points, std::vector<HalfPlane>& planes) {
   std::sort(points.begin(), points.end(), [](RealVec a, RealVec b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });

@@ -25,6 +25,8 @@ class DifferenceBounds {
   // The least and the largest value of (coordinate of b) - (coordinate of a).
   [[nodiscard]] double lower(std::size_t a, std::size_t b) const { return lower_[a * size_ + b]; }
   [[nodiscard]] double upper(std::size_t a, std::size_t b) const { return -lower_[b * size_ + a]; }
+  // `lower(a, b)` by b.
+  [[nodiscard]] const double* lower_from(std::size_t a) const { return &lower_[a * size_]; }
 
   // Why it is not less than `lower`; why it is not more than `upper`.
   [[nodiscard]] Reasons why_lower(std::size_t a, std::size_t b) const { return why_[a * size_ + b]; }
