@@ -41,6 +41,7 @@ bool lies_inside(const marker::PlacedPieces& pieces, std::uint32_t piece, const 
 }
 
 // The search moves no locked piece, and looks at those to be placed only as obstacles: whether they fit where they are.
+// Zones are parts of the cloth, and may reach beyond its edges.
 bool locked_pieces_fit(const Marker& marker, const bodies::Freedom& freedom) {
   const model::Ties ties = model::ties_of(marker);
   Marker staying = marker;
@@ -48,7 +49,8 @@ bool locked_pieces_fit(const Marker& marker, const bodies::Freedom& freedom) {
   std::vector<std::uint32_t> locked;  // to be placed; indices in `staying`
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
     if (freedom.moving[k] && !ties.fixed(k)) continue;
-    if (freedom.moving[k]) locked.push_back(static_cast<std::uint32_t>(staying.pieces.size()));
+    const bool to_be_placed = freedom.moving[k] && !marker.pieces[k].rules.zone;
+    if (to_be_placed) locked.push_back(static_cast<std::uint32_t>(staying.pieces.size()));
     staying.pieces.push_back(marker.pieces[k]);
   }
   if (locked.empty()) return true;

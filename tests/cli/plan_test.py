@@ -103,7 +103,7 @@ class Plan(CliTest):
                 ("colour,S\nred,x\n", RECTANGLES, (), "a number of garments is required"),
                 ("colour,XS\nred,3\n", RECTANGLES, (), 'size "XS" is not in the style; its sizes are M, S'),
                 ('{"ratio": {"S": 1}}', RECTANGLES, (), "the order has no quantities"),
-                ('{"quantities": {"red": {"S": 1}}, "mode": "upDown"}', RECTANGLES, (), "a plan takes one or either"),
+                ('{"quantities": {"red": {"S": 1}}, "mode": "upDown"}', RECTANGLES, (), "in a plan, one or either is allowed"),
                 (ORDER, dict(RECTANGLES, unit="in"), (), "plans are made of styles in mm"),
                 (ORDER, RECTANGLES, ("--table", 300), "the table has room for 260 mm"),
                 (ORDER, RECTANGLES, ("--remnants", "red"), '"red" is not a remnant; COLOUR=LENGTH is allowed'),

@@ -129,6 +129,11 @@ TEST(RulesInPacking, PiecesArePackedAroundAZone) {
   expect_optimum(marker, 20'000);
 }
 
+TEST(RulesInPacking, AZoneMayReachBeyondTheRoom) {
+  const Box room{{5'000, 0}, {25'000, 20'000}};
+  EXPECT_EQ(verdict_of(with_zone(), {{0}, {1}}, room), Verdict::kFound);
+}
+
 TEST(RulesInPacking, APieceIsPackedOntoAZoneThatItAccepts) {
   Marker marker = with_zone();
   marker.pieces[0].rules.quality = 1;
