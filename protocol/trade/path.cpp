@@ -37,7 +37,7 @@ std::optional<Spot> crossing(Spot a, Spot b, Spot c, Spot d) {
 
 }  // namespace
 
-Path::Path(Spot start, double tolerance, std::size_t line) : tolerance_{tolerance} {
+Path::Path(Spot start, Flattening& flattening, std::size_t line) : flattening_{flattening} {
   run_.points.push_back(start);
   run_.line = line;
 }
@@ -55,24 +55,31 @@ void Path::line_to(Spot to) {
   add(to, {});
 }
 
+void Path::chord_to(Spot to) {
+  if (flattening_.take(1)) add(to, {});
+}
+
 void Path::cubic_to(Spot first, Spot second, Spot to) {
   flatten({end(), first, second, to}, 0);
   if (!run_.edges.empty() && run_.edges.size() > 1) run_.edges[run_.edges.size() - 2].smooth = false;
 }
 
 void Path::flatten(const Cubic& cubic, int depth) {
+  if (flattening_.exhausted()) return;
   const auto [a, b, c, d] = cubic;
+  const double tolerance = flattening_.tolerance();
   const double first = side_distance(a, d, b), second = side_distance(a, d, c);
   const double most = std::max(std::abs(first), std::abs(second));
   // A curve on its chord's line counts as straight only if the control points lie between the chord's ends.
   const bool within = distance(a, b) + distance(c, d) <= 1.5 * distance(a, d) + kStraight;
-  if (depth == kDeepest || (most <= kStraight && within)) return add(d, {});
-  if (most <= tolerance_ && within && first * second >= 0) {
+  if (depth == kDeepest || (most <= kStraight && within)) return chord_to(d);
+  if (most <= tolerance && within && first * second >= 0) {
     const Spot start = a == b ? c : b, end = c == d ? b : c;
     const auto apex = crossing(a, start, end, d);
-    if (apex && std::abs(side_distance(a, d, *apex)) <= 2 * tolerance_ && distance(a, *apex) <= distance(a, d) &&
+    if (apex && std::abs(side_distance(a, d, *apex)) <= 2 * tolerance && distance(a, *apex) <= distance(a, d) &&
         distance(d, *apex) <= distance(a, d)) {
-      return add(d, {apex, true});
+      if (flattening_.take(1)) add(d, {apex, true});
+      return;
     }
   }
   const Spot ab = middle(a, b), bc = middle(b, c), cd = middle(c, d);
@@ -83,9 +90,11 @@ void Path::flatten(const Cubic& cubic, int depth) {
 
 void Path::arc(Spot centre, Spot u, Spot v, double from, double sweep) {
   const double radius = std::max(std::hypot(u.x, u.y), std::hypot(v.x, v.y));
-  const double cosine = std::max(0.0, 1 - tolerance_ / std::max(radius, tolerance_));
+  const double tolerance = flattening_.tolerance();
+  const double cosine = std::max(0.0, 1 - tolerance / std::max(radius, tolerance));
   const double widest = std::min(2 * std::acos(cosine), std::numbers::pi / 3);
   const int chords = std::clamp(static_cast<int>(std::ceil(std::abs(sweep) / std::max(widest, 1e-6))), 1, kMostChords);
+  if (!flattening_.take(static_cast<std::size_t>(chords))) return;
   const double step = sweep / chords, stretch = 1 / std::cos(step / 2);
   const auto at = [&](double t, double scale) {
     const double c = scale * std::cos(t), s = scale * std::sin(t);

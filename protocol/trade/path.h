@@ -4,16 +4,19 @@
 // an outline is made that contains the true one.  Units: those of the drawing.
 #pragma once
 
+#include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 
 namespace selvage::protocol::trade {
 
 class Path {
  public:
-  // `tolerance` is greater than 0.
-  Path(document::Spot start, double tolerance, std::size_t line);
+  // `flattening` outlives the path.  When it is exhausted, curves are left out.
+  Path(document::Spot start, Flattening& flattening, std::size_t line);
 
   void line_to(document::Spot to);
+  // A chord of a curve that the caller flattens.
+  void chord_to(document::Spot to);
   void cubic_to(document::Spot first, document::Spot second, document::Spot to);
   // centre + u cos(t) + v sin(t), t from `from` to `from + sweep` radians; the path is at its start already.
   void arc(document::Spot centre, document::Spot u, document::Spot v, double from, double sweep);
@@ -27,7 +30,7 @@ class Path {
   void add(document::Spot to, Edge edge);
   void flatten(const Cubic& cubic, int depth);
 
-  double tolerance_;
+  Flattening& flattening_;
   Run run_;
 };
 

@@ -12,6 +12,7 @@
 #include "protocol/trade/aama/pattern_block.h"
 #include "protocol/trade/aama/piece_texts.h"
 #include "protocol/trade/dxf/drawing.h"
+#include "protocol/trade/options.h"
 
 namespace selvage::protocol::trade::aama {
 namespace {
@@ -33,13 +34,16 @@ void keep_text(const dxf::Entity& entity, Texts& texts) {
 
 class NestReader {
  public:
-  explicit NestReader(const dxf::DxfDrawing& drawing) : drawing_{drawing} {}
+  NestReader(const dxf::DxfDrawing& drawing, std::size_t bytes) : drawing_{drawing}, bytes_{bytes} {}
 
   Result<MarkerFile> read() {
     Texts texts;
     for (const dxf::Entity& entity : drawing_.entities) keep_text(entity, texts);
     read_strip(texts);
-    for (const dxf::Block& block : drawing_.blocks) read_block(block);
+    const double unit = in_millimetres(written_.unit == "in" ? LengthUnit::kInch : LengthUnit::kMillimetre);
+    BlockReading reading{Encoding::kUtf8, {ReadingOptions{}.tolerance / unit, bytes_}};
+    for (const dxf::Block& block : drawing_.blocks) read_block(block, reading);
+    if (const auto error = reading.flattening.error()) return *error;
     read_inserts();
     if (mistake_) return mistake_.error();
     if (!(written_.width > 0)) return Error{ErrorCode::kMissingField, "the nest does not say its width", ""};
@@ -86,8 +90,7 @@ class NestReader {
     }
   }
 
-  void read_block(const dxf::Block& block) {
-    BlockReading reading;
+  void read_block(const dxf::Block& block, BlockReading& reading) {
     const PatternBlock pattern = read_pattern_block(block, reading);
     const std::string* name = pattern.text("PIECE NAME");
     if (!name || pattern.boundary.empty()) return;
@@ -206,6 +209,7 @@ class NestReader {
   }
 
   const dxf::DxfDrawing& drawing_;
+  std::size_t bytes_;  // of the file
   json::Mistake mistake_;
   formats::DecimalMarker written_;
   document::Attributes attributes_;
@@ -224,7 +228,7 @@ Result<MarkerFile> read_nest(std::string_view text) {
   if (!tags) return tags.error();
   const auto drawing = dxf::read_drawing(*tags);
   if (!drawing) return drawing.error();
-  return NestReader{*drawing}.read();
+  return NestReader{*drawing, text.size()}.read();
 }
 
 }  // namespace selvage::protocol::trade::aama

@@ -65,7 +65,7 @@ class BlockReader {
     if (layer == kTurnPoints || layer == kCurvePoints) return true;
     if (layer >= kFirstCopy && layer <= kLastCopy) return true;  // copies of 1, 8, 11 and 14 for validation
     if (layer == 1) {
-      auto run = dxf::run_of(entity, reading_.tolerance);
+      auto run = dxf::run_of(entity, reading_.flattening);
       if (!run) return point;
       block_.boundary.push_back(*std::move(run));
       return true;
@@ -78,7 +78,7 @@ class BlockReader {
     if (layer >= 5 && layer <= 7) return read_reference(entity, layer);
     const auto kind = line_kind(layer == kNotes ? 8 : layer);
     if (point || !kind) return point;
-    auto run = dxf::run_of(entity, reading_.tolerance);
+    auto run = dxf::run_of(entity, reading_.flattening);
     if (!run || run->points.size() < 2) return false;
     block_.annotations.lines.push_back({*kind, run->closed, std::move(run->points)});
     return true;

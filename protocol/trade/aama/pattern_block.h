@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "protocol/trade/dxf/drawing.h"
+#include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 #include "protocol/trade/style.h"
 #include "protocol/trade/text.h"
@@ -44,9 +45,9 @@ struct PatternBlock {
 // What the blocks of a file have in common, and the collection of their oddities.
 struct BlockReading {
   Encoding encoding{};
-  double tolerance{};                              // for curves, in the file's unit
-  std::map<std::string, std::size_t> passed_over;  // a layer that is not read -> the first line of it
-  std::vector<Note> notes;
+  Flattening flattening;                             // in the file's unit
+  std::map<std::string, std::size_t> passed_over{};  // a layer that is not read -> the first line of it
+  std::vector<Note> notes{};
 };
 
 [[nodiscard]] PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading);

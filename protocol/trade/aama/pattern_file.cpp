@@ -19,14 +19,15 @@ namespace {
 
 class StyleReader {
  public:
-  StyleReader(const dxf::DxfDrawing& drawing, const ReadingOptions& options) : drawing_{drawing}, options_{options} {}
+  StyleReader(const dxf::DxfDrawing& drawing, const ReadingOptions& options, std::size_t bytes)
+      : drawing_{drawing}, options_{options}, bytes_{bytes} {}
 
   Result<Style> read() {
     settle_encoding();
     read_file_texts();
-    read_blocks();
-    if (blocks_.empty()) return no_pattern();
     const auto unit = dxf::settle_unit(texts_, drawing_.insert_units, options_.unit, style_.notes);
+    if (const auto error = read_blocks(unit ? *unit : 1)) return *error;
+    if (blocks_.empty()) return no_pattern();
     if (!unit) return unit.error();
     for (PatternBlock& block : blocks_) scale(block, *unit);
     if (enlarge_shallow_notches(blocks_)) {
@@ -55,8 +56,7 @@ class StyleReader {
     look_at(drawing_.entities);
     for (const dxf::Block& block : drawing_.blocks) look_at(block.entities);
     const Encoding encoding = encoding_of(bytes, drawing_.code_page);
-    reading_.encoding = encoding;
-    reading_.tolerance = options_.tolerance;
+    encoding_ = encoding;
     if (encoding != Encoding::kUtf8) {
       style_.notes.push_back(note_at(line, "texts are read as " + std::string{name_of(encoding)}));
     }
@@ -65,7 +65,7 @@ class StyleReader {
   void read_file_texts() {
     for (const dxf::Entity& entity : drawing_.entities) {
       if (entity.type != "TEXT") continue;
-      const std::string text = decoded(entity.text(1), reading_.encoding);
+      const std::string text = decoded(entity.text(1), encoding_);
       if (auto pair = key_and_value(text)) texts_.emplace(std::move(*pair));
     }
     style_.name = text_or_empty(texts_, "STYLE NAME");
@@ -83,17 +83,20 @@ class StyleReader {
     }
   }
 
-  void read_blocks() {
+  std::optional<Error> read_blocks(double unit) {
+    BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}};
     for (const dxf::Block& block : drawing_.blocks) {
       if (block.name.starts_with('*')) continue;  // model and paper space
-      PatternBlock read = read_pattern_block(block, reading_);
+      PatternBlock read = read_pattern_block(block, reading);
       if (read.boundary.empty()) {
         style_.notes.push_back(note_at(block.line, "block " + in_quotes(read.name) + " has no boundary; left out"));
         continue;
       }
       blocks_.push_back(std::move(read));
     }
-    style_.notes.insert(style_.notes.end(), reading_.notes.begin(), reading_.notes.end());
+    style_.notes.insert(style_.notes.end(), reading.notes.begin(), reading.notes.end());
+    passed_over_ = std::move(reading.passed_over);
+    return reading.flattening.error();
   }
 
   [[nodiscard]] Error no_pattern() const {
@@ -107,10 +110,10 @@ class StyleReader {
   void check_inserts() {
     std::set<std::string, std::less<>> known;
     std::map<std::string, int, std::less<>> inserted;
-    for (const dxf::Block& block : drawing_.blocks) known.insert(decoded(block.name, reading_.encoding));
+    for (const dxf::Block& block : drawing_.blocks) known.insert(decoded(block.name, encoding_));
     for (const dxf::Entity& entity : drawing_.entities) {
       if (entity.type != "INSERT") continue;
-      const std::string name = decoded(entity.text(2), reading_.encoding);
+      const std::string name = decoded(entity.text(2), encoding_);
       if (!known.contains(name)) {
         style_.notes.push_back(
             note_at(entity.line, "INSERT of block " + in_quotes(name) + ", which is not in the file"));
@@ -271,13 +274,15 @@ class StyleReader {
   }
 
   void note_what_was_skipped() {
-    for (const auto& [what, line] : reading_.passed_over) style_.notes.push_back(note_at(line, what + " is not read"));
+    for (const auto& [what, line] : passed_over_) style_.notes.push_back(note_at(line, what + " is not read"));
   }
 
   const dxf::DxfDrawing& drawing_;
   const ReadingOptions& options_;
-  Texts texts_;  // of the file
-  BlockReading reading_;
+  Texts texts_;        // of the file
+  std::size_t bytes_;  // of the file
+  Encoding encoding_{};
+  std::map<std::string, std::size_t> passed_over_;  // a layer that is not read -> the first line of it
   std::vector<PatternBlock> blocks_;
   std::vector<std::string> names_, sizes_;  // of the blocks
   Style style_;
@@ -290,7 +295,7 @@ Result<Style> read_pattern(std::string_view text, const ReadingOptions& options)
   if (!tags) return tags.error();
   const auto drawing = dxf::read_drawing(*tags);
   if (!drawing) return drawing.error();
-  return StyleReader{*drawing, options}.read();
+  return StyleReader{*drawing, options, text.size()}.read();
 }
 
 }  // namespace selvage::protocol::trade::aama

@@ -34,8 +34,8 @@ void add_bulge(Path& path, Spot to, double bulge) {
   path.arc(centre, {radius, 0}, {0, radius}, std::atan2(from.y - centre.y, from.x - centre.x), sweep);
 }
 
-Run polyline_run(const Entity& entity, double tolerance) {
-  Path path{spot_of(entity.vertices.front()), tolerance, entity.line};
+Run polyline_run(const Entity& entity, Flattening& flattening) {
+  Path path{spot_of(entity.vertices.front()), flattening, entity.line};
   for (std::size_t k = 1; k < entity.vertices.size(); ++k) {
     add_bulge(path, spot_of(entity.vertices[k]), entity.vertices[k - 1].bulge);
   }
@@ -46,19 +46,19 @@ Run polyline_run(const Entity& entity, double tolerance) {
 }
 
 // CIRCLE and ARC; angles in degrees, counter-clockwise.
-Run circle_run(const Entity& entity, double tolerance) {
+Run circle_run(const Entity& entity, Flattening& flattening) {
   const Spot centre = spot_of(entity.vertices.front());
   const double radius = std::abs(entity.number(40).value_or(0));
   const bool whole = entity.type == "CIRCLE";
   const double from = whole ? 0 : entity.number(50).value_or(0) * kRadians;
   double sweep = whole ? kWholeTurn : std::fmod(entity.number(51).value_or(360) * kRadians - from, kWholeTurn);
   if (sweep <= 0) sweep += kWholeTurn;
-  Path path{{centre.x + radius * std::cos(from), centre.y + radius * std::sin(from)}, tolerance, entity.line};
+  Path path{{centre.x + radius * std::cos(from), centre.y + radius * std::sin(from)}, flattening, entity.line};
   path.arc(centre, {radius, 0}, {0, radius}, from, sweep);
   return path.take(whole);
 }
 
-Run ellipse_run(const Entity& entity, double tolerance) {
+Run ellipse_run(const Entity& entity, Flattening& flattening) {
   const Spot centre = spot_of(entity.vertices.front());
   const Spot u{entity.number(11).value_or(0), entity.number(21).value_or(0)};
   const double ratio = entity.number(40).value_or(1);
@@ -67,7 +67,7 @@ Run ellipse_run(const Entity& entity, double tolerance) {
   double sweep = std::fmod(entity.number(42).value_or(kWholeTurn) - from, kWholeTurn);
   if (sweep <= 0) sweep += kWholeTurn;
   const double c = std::cos(from), s = std::sin(from);
-  Path path{{centre.x + u.x * c + v.x * s, centre.y + u.y * c + v.y * s}, tolerance, entity.line};
+  Path path{{centre.x + u.x * c + v.x * s, centre.y + u.y * c + v.y * s}, flattening, entity.line};
   path.arc(centre, u, v, from, sweep);
   return path.take(std::abs(sweep - kWholeTurn) < 1e-9);
 }
@@ -131,7 +131,8 @@ std::optional<Spline> spline_of(const Entity& entity) {
 }
 
 // Adds a span of the spline, halved until the chord lies within the tolerance of its middle and quarter points.
-void add_span(Path& path, const Spline& spline, std::size_t span, double from, double to, double tolerance, int depth) {
+void add_span(Path& path, const Spline& spline, std::size_t span, double from, double to, Flattening& flattening,
+              int depth) {
   const Spot a = path.end(), b = spline.at(to, span);
   const auto off = [&](double part) {
     const Spot on = spline.at(from + part * (to - from), span);
@@ -140,11 +141,12 @@ void add_span(Path& path, const Spline& spline, std::size_t span, double from, d
     return std::abs((b.x - a.x) * (on.y - a.y) - (b.y - a.y) * (on.x - a.x)) / length;
   };
   constexpr int kDeepest = 12;
-  if (depth > 0 && (depth == kDeepest || std::max({off(0.25), off(0.5), off(0.75)}) <= tolerance))
-    return path.line_to(b);
+  if (flattening.exhausted()) return;
+  if (depth > 0 && (depth == kDeepest || std::max({off(0.25), off(0.5), off(0.75)}) <= flattening.tolerance()))
+    return path.chord_to(b);
   const double middle = (from + to) / 2;
-  add_span(path, spline, span, from, middle, tolerance, depth + 1);
-  add_span(path, spline, span, middle, to, tolerance, depth + 1);
+  add_span(path, spline, span, from, middle, flattening, depth + 1);
+  add_span(path, spline, span, middle, to, flattening, depth + 1);
 }
 
 // A span of a cubic spline, or of one of lower degree, as the Bezier curve that it is.
@@ -164,18 +166,18 @@ void add_cubic_span(Path& path, const Spline& spline, std::size_t span, double f
   path.cubic_to(raised(start), raised(end), end);
 }
 
-std::optional<Run> spline_run(const Entity& entity, double tolerance) {
+std::optional<Run> spline_run(const Entity& entity, Flattening& flattening) {
   const auto spline = spline_of(entity);
   if (!spline) return std::nullopt;
   const std::size_t first = spline->degree, last = spline->controls.size();
-  Path path{spline->at(spline->knots[first], first), tolerance, entity.line};
+  Path path{spline->at(spline->knots[first], first), flattening, entity.line};
   for (std::size_t span = first; span < last; ++span) {
     const double from = spline->knots[span], to = spline->knots[span + 1];
     if (to <= from) continue;
     if (spline->is_cubic()) {
       add_cubic_span(path, *spline, span, from, to);
     } else {
-      add_span(path, *spline, span, from, to, tolerance, 0);
+      add_span(path, *spline, span, from, to, flattening, 0);
     }
   }
   return path.take(false);
@@ -183,13 +185,13 @@ std::optional<Run> spline_run(const Entity& entity, double tolerance) {
 
 }  // namespace
 
-std::optional<Run> run_of(const Entity& entity, double tolerance) {
+std::optional<Run> run_of(const Entity& entity, Flattening& flattening) {
   if (entity.vertices.empty()) return std::nullopt;
-  if (entity.type == "POLYLINE" || entity.type == "LWPOLYLINE") return polyline_run(entity, tolerance);
-  if (entity.type == "LINE" && entity.vertices.size() == 2) return polyline_run(entity, tolerance);
-  if (entity.type == "CIRCLE" || entity.type == "ARC") return circle_run(entity, tolerance);
-  if (entity.type == "ELLIPSE") return ellipse_run(entity, tolerance);
-  if (entity.type == "SPLINE") return spline_run(entity, tolerance);
+  if (entity.type == "POLYLINE" || entity.type == "LWPOLYLINE") return polyline_run(entity, flattening);
+  if (entity.type == "LINE" && entity.vertices.size() == 2) return polyline_run(entity, flattening);
+  if (entity.type == "CIRCLE" || entity.type == "ARC") return circle_run(entity, flattening);
+  if (entity.type == "ELLIPSE") return ellipse_run(entity, flattening);
+  if (entity.type == "SPLINE") return spline_run(entity, flattening);
   return std::nullopt;
 }
 

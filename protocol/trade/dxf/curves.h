@@ -4,11 +4,12 @@
 #include <optional>
 
 #include "protocol/trade/dxf/drawing.h"
+#include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 
 namespace selvage::protocol::trade::dxf {
 
 // Returns none for an entity that draws no line.
-[[nodiscard]] std::optional<Run> run_of(const Entity& entity, double tolerance);
+[[nodiscard]] std::optional<Run> run_of(const Entity& entity, Flattening& flattening);
 
 }  // namespace selvage::protocol::trade::dxf

@@ -56,14 +56,15 @@ Insertion insertion_of(const Entity& insert, const Block& block, int column, int
 
 class PlainReader {
  public:
-  PlainReader(const DxfDrawing& drawing, double unit, double tolerance, std::vector<Note>& notes)
-      : drawing_{drawing}, unit_{unit}, tolerance_{tolerance / unit}, notes_{notes} {}
+  PlainReader(const DxfDrawing& drawing, double unit, Flattening flattening, std::vector<Note>& notes)
+      : drawing_{drawing}, unit_{unit}, flattening_{flattening}, notes_{notes} {}
 
   Result<std::vector<Run>> read() {
     for (const Block& block : drawing_.blocks) blocks_.emplace(block.name, &block);
     const Insertion model{unit_, 0, 0, unit_, {}};
     for (const Entity& entity : drawing_.entities) add(entity, model, 0);
     if (too_many_) return *too_many_;
+    if (const auto error = flattening_.error()) return *error;
     for (const auto& [what, line] : passed_over_) notes_.push_back(note_at(line, what));
     return std::move(runs_);
   }
@@ -73,7 +74,7 @@ class PlainReader {
     if (too_many_) return;
     const Insertion insertion = from_behind(entity) ? outer.after(kMirrored) : outer;
     if (entity.type == "INSERT") return add_block(entity, insertion, depth);
-    auto run = run_of(entity, tolerance_);
+    auto run = run_of(entity, flattening_);
     if (!run) {
       if (entity.type != "ATTRIB" && entity.type != "ATTDEF")
         pass_over(std::string{entity.type} + " is not read", entity);
@@ -112,7 +113,8 @@ class PlainReader {
   void pass_over(const std::string& what, const Entity& entity) { passed_over_.emplace(what, entity.line); }
 
   const DxfDrawing& drawing_;
-  double unit_, tolerance_;
+  double unit_;
+  Flattening flattening_;  // in the file's unit
   std::vector<Note>& notes_;
   std::map<std::string_view, const Block*> blocks_;
   std::map<std::string, std::size_t> passed_over_;  // what is not read -> the first line of it
@@ -131,7 +133,7 @@ Result<Style> read_plain(std::string_view text, const ReadingOptions& options) {
   Style style;
   const auto unit = settle_unit({}, drawing->insert_units, options.unit, style.notes);
   if (!unit) return unit.error();
-  auto runs = PlainReader{*drawing, *unit, options.tolerance, style.notes}.read();
+  auto runs = PlainReader{*drawing, *unit, {options.tolerance / *unit, text.size()}, style.notes}.read();
   if (!runs) return runs.error();
   Loops loops = joined(*std::move(runs), kReach);
   std::vector<NestedLoop> outlines = nested(std::move(loops.closed));

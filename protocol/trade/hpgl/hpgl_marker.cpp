@@ -132,7 +132,9 @@ class PlotReader {
 
 Result<MarkerFile> read_hpgl_marker(std::string_view text, const ReadingOptions& options) {
   const double unit = options.unit ? in_millimetres(*options.unit) : kPlotterUnit;
-  PlotReader reader{read_strokes(text, options.tolerance / unit), unit};
+  Flattening flattening{options.tolerance / unit, text.size()};
+  PlotReader reader{read_strokes(text, flattening), unit};
+  if (const auto error = flattening.error()) return *error;
   PlacedMarker marker = reader.read();
   ReadingOptions placed = options;
   if (!placed.width) placed.width = reader.width();

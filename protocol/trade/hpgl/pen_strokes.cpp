@@ -106,7 +106,7 @@ class Instructions {
 // The pen, and what it has drawn.
 class Plotter {
  public:
-  Plotter(std::string_view text, double tolerance) : encoding_{encoding_of(text)}, tolerance_{tolerance} {
+  Plotter(std::string_view text, Flattening& flattening) : encoding_{encoding_of(text)}, flattening_{flattening} {
     Instructions instructions{text};
     while (const auto instruction = instructions.next()) obey(*instruction);
     lift();
@@ -182,7 +182,7 @@ class Plotter {
     const Spot centre = spot(numbers[0], numbers[1], relative);
     const double sweep = std::clamp(numbers[2], -360.0, 360.0) * std::numbers::pi / 180;
     const Spot u{at_.x - centre.x, at_.y - centre.y};
-    Path path{at_, tolerance_, 0};
+    Path path{at_, flattening_, 0};
     path.arc(centre, u, {-u.y, u.x}, 0, sweep);
     const Run drawn = path.take(false);
     if (down_) {
@@ -193,7 +193,7 @@ class Plotter {
   }
   void circle(double radius) {
     lift();
-    Path path{{at_.x + radius, at_.y}, tolerance_, 0};
+    Path path{{at_.x + radius, at_.y}, flattening_, 0};
     path.arc(at_, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi);
     keep(path.take(true));
   }
@@ -210,7 +210,7 @@ class Plotter {
   }
 
   Encoding encoding_;
-  double tolerance_;
+  Flattening& flattening_;
   PenStrokes drawn_;
   Run run_;
   Spot at_{};
@@ -232,8 +232,8 @@ bool looks_like_hpgl(std::string_view text) {
   return second && begun.find(';') != std::string_view::npos;
 }
 
-PenStrokes read_strokes(std::string_view text, double tolerance) {
-  return Plotter{text, tolerance}.take();
+PenStrokes read_strokes(std::string_view text, Flattening& flattening) {
+  return Plotter{text, flattening}.take();
 }
 
 }  // namespace selvage::protocol::trade::hpgl

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 #include "protocol/trade/style.h"
 
@@ -30,7 +31,7 @@ struct PenStrokes {
 // Whether the text begins like a plot: with an instruction that sets one up, after escape sequences for the plotter.
 [[nodiscard]] bool looks_like_hpgl(std::string_view text);
 
-// `tolerance`, in plotter units, is how far a chord may lie from its arc.
-[[nodiscard]] PenStrokes read_strokes(std::string_view text, double tolerance);
+// Arcs are flattened in plotter units.
+[[nodiscard]] PenStrokes read_strokes(std::string_view text, Flattening& flattening);
 
 }  // namespace selvage::protocol::trade::hpgl

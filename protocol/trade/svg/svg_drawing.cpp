@@ -55,7 +55,7 @@ std::set<std::string, std::less<>> hidden_classes(std::string_view css) {
   }
 }
 
-Run run_of_rectangle(Spot low, Spot high, Spot radii, const Matrix& matrix, double tolerance) {
+Run run_of_rectangle(Spot low, Spot high, Spot radii, const Matrix& matrix, Flattening& flattening) {
   constexpr double kQuarter = std::numbers::pi / 2;
   const bool round = radii.x > 0 && radii.y > 0;
   if (!round) radii = {};
@@ -63,7 +63,7 @@ Run run_of_rectangle(Spot low, Spot high, Spot radii, const Matrix& matrix, doub
                           {high.x - radii.x, high.y - radii.y},
                           {low.x + radii.x, high.y - radii.y},
                           {low.x + radii.x, low.y + radii.y}};
-  Path path{matrix.apply({low.x + radii.x, low.y}), tolerance, 0};
+  Path path{matrix.apply({low.x + radii.x, low.y}), flattening, 0};
   for (int corner = 0; corner < 4; ++corner) {
     const double from = (corner - 1) * kQuarter;
     const Spot centre = centres[corner];
@@ -75,7 +75,8 @@ Run run_of_rectangle(Spot low, Spot high, Spot radii, const Matrix& matrix, doub
 
 class DrawingReader {
  public:
-  DrawingReader(const ReadingOptions& options, std::vector<Note>& notes) : options_{options}, notes_{notes} {}
+  DrawingReader(const ReadingOptions& options, std::size_t bytes, std::vector<Note>& notes)
+      : options_{options}, flattening_{options.tolerance, bytes}, notes_{notes} {}
 
   Result<std::vector<Drawn>> read(const pugi::xml_node& svg) {
     index(svg, 0);
@@ -85,6 +86,7 @@ class DrawingReader {
       return Error{ErrorCode::kOutOfRange,
                    "<use> draws more than " + std::to_string(kMostUsed) + " elements and points", ""};
     }
+    if (const auto error = flattening_.error()) return *error;
     for (const auto& [what, count] : unread_) {
       notes_.push_back({"", what + " is not read" + (count > 1 ? " (" + std::to_string(count) + " times)" : "")});
     }
@@ -209,7 +211,7 @@ class DrawingReader {
 
   std::vector<Run> runs_of(const pugi::xml_node& node, std::string_view element, const Matrix& matrix) {
     const auto at = [&](const char* key) { return length(node, key); };
-    if (element == "path") return runs_of_path(node.attribute("d").value(), matrix, options_.tolerance);
+    if (element == "path") return runs_of_path(node.attribute("d").value(), matrix, flattening_);
     if (element == "polygon" || element == "polyline") {
       return runs_of_points(node.attribute("points").value(), element == "polygon", matrix);
     }
@@ -221,11 +223,11 @@ class DrawingReader {
       if (!(w > 0) || !(h > 0)) return {};
       Spot radii{at(node.attribute("rx") ? "rx" : "ry"), at(node.attribute("ry") ? "ry" : "rx")};
       radii = {std::min(radii.x, w / 2), std::min(radii.y, h / 2)};
-      return {run_of_rectangle({x, y}, {x + w, y + h}, radii, matrix, options_.tolerance)};
+      return {run_of_rectangle({x, y}, {x + w, y + h}, radii, matrix, flattening_)};
     }
     if (element == "circle" || element == "ellipse") {
       const double rx = at(element == "circle" ? "r" : "rx"), ry = at(element == "circle" ? "r" : "ry");
-      if (rx > 0 && ry > 0) return {run_of_ellipse({at("cx"), at("cy")}, rx, ry, matrix, options_.tolerance)};
+      if (rx > 0 && ry > 0) return {run_of_ellipse({at("cx"), at("cy")}, rx, ry, matrix, flattening_)};
     }
     return {};
   }
@@ -250,6 +252,7 @@ class DrawingReader {
   }
 
   const ReadingOptions& options_;
+  Flattening flattening_;
   std::vector<Note>& notes_;
   std::map<std::string, pugi::xml_node, std::less<>> by_id_;
   std::set<std::string, std::less<>> hidden_;  // classes
@@ -270,9 +273,9 @@ bool has_word(std::string_view text, std::string_view word) {
   return false;
 }
 
-Result<std::vector<Drawn>> drawn_lines(const pugi::xml_node& svg, const ReadingOptions& options,
+Result<std::vector<Drawn>> drawn_lines(const pugi::xml_node& svg, std::size_t bytes, const ReadingOptions& options,
                                        std::vector<Note>& notes) {
-  return DrawingReader{options, notes}.read(svg);
+  return DrawingReader{options, bytes, notes}.read(svg);
 }
 
 }  // namespace selvage::protocol::trade::svg

@@ -25,8 +25,9 @@ struct Drawn {
 // Whether the word is one of those in the text, which blanks separate.
 [[nodiscard]] bool has_word(std::string_view text, std::string_view word);
 
-// Errors: kOutOfRange when <use> repeats so much that more than 200,000 elements and points would be drawn.
-[[nodiscard]] Result<std::vector<Drawn>> drawn_lines(const pugi::xml_node& svg, const ReadingOptions& options,
-                                                     std::vector<Note>& notes);
+// `bytes`: of the file, which limits how finely its curves are flattened (flattening.h).  Errors: kOutOfRange when that
+// does not suffice, and when <use> repeats so much that more than 200,000 elements and points would be drawn.
+[[nodiscard]] Result<std::vector<Drawn>> drawn_lines(const pugi::xml_node& svg, std::size_t bytes,
+                                                     const ReadingOptions& options, std::vector<Note>& notes);
 
 }  // namespace selvage::protocol::trade::svg

@@ -63,8 +63,8 @@ class Scanner {
 
 class PathReader {
  public:
-  PathReader(std::string_view d, const Matrix& matrix, double tolerance)
-      : scanner_{d}, matrix_{matrix}, tolerance_{tolerance} {}
+  PathReader(std::string_view d, const Matrix& matrix, Flattening& flattening)
+      : scanner_{d}, matrix_{matrix}, flattening_{flattening} {}
 
   std::vector<Run> read() {
     while (const auto letter = scanner_.letter()) {
@@ -94,7 +94,7 @@ class PathReader {
   }
 
   void begin_if_needed() {
-    if (!path_) path_.emplace(matrix_.apply(here_), tolerance_, 0);
+    if (!path_) path_.emplace(matrix_.apply(here_), flattening_, 0);
   }
 
   std::optional<Spot> spot(bool relative) {
@@ -219,7 +219,7 @@ class PathReader {
 
   Scanner scanner_;
   const Matrix& matrix_;
-  double tolerance_;
+  Flattening& flattening_;
   Spot here_, start_;
   std::optional<Spot> cubic_control_, quadratic_control_;
   std::optional<Path> path_;
@@ -263,8 +263,8 @@ std::optional<Matrix> transform_in(std::string_view text) {
   return all;
 }
 
-std::vector<Run> runs_of_path(std::string_view d, const Matrix& matrix, double tolerance) {
-  return PathReader{d, matrix, tolerance}.read();
+std::vector<Run> runs_of_path(std::string_view d, const Matrix& matrix, Flattening& flattening) {
+  return PathReader{d, matrix, flattening}.read();
 }
 
 std::vector<Run> runs_of_points(std::string_view points, bool closed, const Matrix& matrix) {
@@ -277,8 +277,8 @@ std::vector<Run> runs_of_points(std::string_view points, bool closed, const Matr
   return {std::move(run)};
 }
 
-Run run_of_ellipse(Spot centre, double rx, double ry, const Matrix& matrix, double tolerance) {
-  Path path{matrix.apply({centre.x + rx, centre.y}), tolerance, 0};
+Run run_of_ellipse(Spot centre, double rx, double ry, const Matrix& matrix, Flattening& flattening) {
+  Path path{matrix.apply({centre.x + rx, centre.y}), flattening, 0};
   path.arc(matrix.apply(centre), matrix.turn({rx, 0}), matrix.turn({0, ry}), 0, 2 * std::numbers::pi);
   return path.take(true);
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 
 namespace selvage::protocol::trade::svg {
@@ -22,10 +23,11 @@ struct Matrix {
 [[nodiscard]] std::optional<Matrix> transform_in(std::string_view text);
 
 // The subpaths of a path's d.  As SVG requires, a malformed path is drawn up to its error.
-[[nodiscard]] std::vector<Run> runs_of_path(std::string_view d, const Matrix& matrix, double tolerance);
+[[nodiscard]] std::vector<Run> runs_of_path(std::string_view d, const Matrix& matrix, Flattening& flattening);
 // The points of a polygon or polyline.
 [[nodiscard]] std::vector<Run> runs_of_points(std::string_view points, bool closed, const Matrix& matrix);
-[[nodiscard]] Run run_of_ellipse(document::Spot centre, double rx, double ry, const Matrix& matrix, double tolerance);
+[[nodiscard]] Run run_of_ellipse(document::Spot centre, double rx, double ry, const Matrix& matrix,
+                                 Flattening& flattening);
 
 // A length such as "12.5mm" or "40", and its unit, "" for none.
 struct Length {

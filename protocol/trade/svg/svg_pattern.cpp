@@ -151,7 +151,7 @@ Result<Style> read_svg_pattern(std::string_view text, const ReadingOptions& opti
         "no well-formed SVG: " + std::string{parsed.description()} + " at byte " + std::to_string(parsed.offset), ""};
   }
   Style style;
-  const auto drawn = drawn_lines(svg, options, style.notes);
+  const auto drawn = drawn_lines(svg, text.size(), options, style.notes);
   if (!drawn) return drawn.error();
   if (const auto error = PatternMaker{*drawn, options, style}.make()) return *error;
   return style;

@@ -214,6 +214,17 @@ TEST(Unit, CallerThenTextThenHeaderElseRefused) {
   EXPECT_NEAR(extent_of(*protocol::files::read_file(text), "YOKE").x, 4000, 1e-6);
 }
 
+// The yoke's lower edge becomes a half circle of 200 inches; its chords lie 0.05 mm from it, not 0.05 inches.
+TEST(Unit, IsThatOfTheToleranceToo) {
+  std::string text = test::example("open_runs.dxf");
+  const std::string corner = "VERTEX\n  8\n1\n 10\n0.0000\n 20\n0.0000\n";
+  text.insert(text.find(corner) + corner.size(), " 42\n1\n");
+  ReadingOptions inches;
+  inches.unit = protocol::trade::LengthUnit::kInch;
+  const double area = area_of(*protocol::files::read_file(text, inches), 0) / (25.4 * 25.4);
+  EXPECT_NEAR(area, 400 * 150 + 400 * 30 / 2 + std::numbers::pi * 200 * 200 / 2, 2);
+}
+
 TEST(NoPattern, IsRefusedWithAReason) {
   const std::string text = "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0\n20\n0\n11\n5\n21\n5\n0\nENDSEC\n0\nEOF\n";
   const auto file = protocol::files::read_file(text);

@@ -70,6 +70,29 @@ TEST(Flattening, OfABayStaysOutOfTheCloth) {
   EXPECT_LE(area_of(file, 0), exact + 0.05 * 160);
 }
 
+// Sixty circles or curves with a size of 40 km would take a quarter of a million chords.
+TEST(Flattening, NeedsNoMoreChordsThanAFileOfItsSizeMayHave) {
+  std::string plot = "IN;SP1;", circles, curves, entities;
+  for (int k = 0; k < 60; ++k) {
+    plot += "PA0,0;CI800000000;";
+    circles += "<circle r=\"20000000\"/>";
+    curves += "<path d=\"M0 0C2e7 0 2e7 2e7 0 2e7\"/>";
+    entities += "0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n20000000\n";
+  }
+  const std::string drawing = "0\nSECTION\n2\nENTITIES\n" + entities + "0\nENDSEC\n0\nEOF\n";
+  for (const std::string& text : {plot, svg(circles), svg(curves), drawing}) {
+    ReadingOptions options;
+    options.plain = true;
+    options.unit = protocol::trade::LengthUnit::kMillimetre;
+    options.tolerance = 1e-3;
+    const auto file = read_file(text, options);
+    ASSERT_FALSE(file) << text.substr(0, 60);
+    EXPECT_EQ(file.error().code, ErrorCode::kOutOfRange);
+    EXPECT_NE(file.error().message.find("the curves of this file need more than 100"), std::string::npos)
+        << file.error().message;
+  }
+}
+
 TEST(SvgIn, CubicsWithInflectionsHoldTheirArea) {
   const MarkerFile file = read(svg("<path d=\"M0 100 C100 0 200 200 300 100 L300 400 L0 400 z\"/>"));
   // The curve is symmetric about its middle, so the area is that of the rectangle.

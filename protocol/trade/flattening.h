@@ -1,0 +1,50 @@
+// How finely the curves of one file are flattened, and how many chords that may take.
+//
+// A circle of a few bytes can be so large that thousands of chords replace it.  The chords of a file are limited by its
+// size, so that the memory which a reader needs is limited, too: 64 MB, and 64 bytes for each byte of the file.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "core/base/error.h"
+
+namespace selvage::protocol::trade {
+
+class Flattening {
+ public:
+  // `tolerance`: how far a chord may lie from its curve, in units of the drawing, greater than 0; `bytes`: of the file.
+  Flattening(double tolerance, std::size_t bytes)
+      : tolerance_{tolerance}, most_{kFreeChords + bytes / 8}, left_{most_} {}
+
+  [[nodiscard]] double tolerance() const { return tolerance_; }
+
+  // Takes chords from those that are left.  When there are too few, no later curve gets any, either.
+  [[nodiscard]] bool take(std::size_t chords) {
+    exhausted_ = exhausted_ || chords > left_;
+    if (exhausted_) return false;
+    left_ -= chords;
+    return true;
+  }
+  [[nodiscard]] bool exhausted() const { return exhausted_; }
+
+  // kOutOfRange when it is exhausted: some curves of the file were not drawn.
+  [[nodiscard]] std::optional<Error> error() const {
+    if (!exhausted_) return std::nullopt;
+    return Error{ErrorCode::kOutOfRange,
+                 "the curves of this file need more than " + std::to_string(most_) +
+                     " chords; a file of its size may have no more.  Are the unit and the tolerance right?",
+                 ""};
+  }
+
+ private:
+  static constexpr std::size_t kFreeChords = 100'000;  // each takes up to 500 bytes in all that is made of it
+
+  double tolerance_;
+  std::size_t most_, left_;
+  bool exhausted_{};
+};
+
+}  // namespace selvage::protocol::trade
