@@ -28,18 +28,6 @@ std::vector<bool> with_groups(const Marker& marker, std::span<const PieceId> pie
   return moving;
 }
 
-// Whether the piece lies inside the container and its room, at the clearance from the ends of both.
-bool lies_inside(const marker::PlacedPieces& pieces, std::uint32_t piece, const Marker& marker,
-                 const bodies::Freedom& freedom) {
-  const Box& box = pieces.box(piece);
-  const Coord from_ends = marker.pieces[piece].rules.on_fold ? 0 : freedom.clearance;
-  if (!freedom.container.box.contains(box)) return false;
-  if (!pieces.room(piece, marker.strip, kLatticeLimit).grown(-from_ends).contains(box)) return false;
-  return std::ranges::none_of(freedom.container.walls, [&](const Polygon& wall) {
-    return marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance);
-  });
-}
-
 // The search moves no locked piece, and looks at those to be placed only as obstacles: whether they fit where they are.
 // Zones are parts of the cloth, and may reach beyond its edges.
 bool locked_pieces_fit(const Marker& marker, const bodies::Freedom& freedom) {
@@ -55,7 +43,7 @@ bool locked_pieces_fit(const Marker& marker, const bodies::Freedom& freedom) {
   }
   if (locked.empty()) return true;
   const marker::PlacedPieces pieces{staying};
-  const auto inside = [&](std::uint32_t piece) { return lies_inside(pieces, piece, staying, freedom); };
+  const auto inside = [&](std::uint32_t piece) { return bodies::lies_inside(staying, pieces, piece, freedom); };
   return std::ranges::all_of(locked, inside) && are_clear(pieces, locked);
 }
 

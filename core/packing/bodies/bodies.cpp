@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/marker/placed_pieces.h"
+#include "core/marker/clearance.h"
 #include "core/marker/validity.h"
 #include "core/model/ties.h"
 #include "core/packing/bodies/range_by_rules.h"
@@ -316,6 +316,17 @@ Marker placed(const Marker& marker, const Bodies& bodies, const branching::Leaf&
     }
   }
   return result;
+}
+
+bool lies_inside(const Marker& marker, const marker::PlacedPieces& pieces, std::uint32_t piece,
+                 const Freedom& freedom) {
+  const Box box = pieces.box(piece);
+  if (!freedom.container.box.contains(box) || protrusion_of(pieces, piece, marker.strip) > 0) return false;
+  const Coord clearance = marker.pieces[piece].rules.on_fold ? 0 : freedom.clearance;
+  if (clearance > 0 && !pieces.room(piece, marker.strip, kLatticeLimit).grown(-clearance).contains(box)) return false;
+  return std::ranges::none_of(freedom.container.walls, [&](const Polygon& wall) {
+    return marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance);
+  });
 }
 
 }  // namespace selvage::packing::bodies

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/marker/marker.h"
+#include "core/marker/placed_pieces.h"
 #include "core/outline/enclosed/container.h"
 #include "core/packing/branching/problem.h"
 #include "core/packing/branching/subtree.h"
@@ -50,5 +51,10 @@ inline constexpr std::size_t kMostWedges = 4 << 20;  // of all rings together: a
 
 // The marker with its bodies where the leaf has them, rounded to the lattice.
 [[nodiscard]] Marker placed(const Marker& marker, const Bodies& bodies, const branching::Leaf& leaf);
+
+// Whether the piece lies inside the container and its room on the strip, at the clearance from the ends of both; the
+// fold is no such end.
+[[nodiscard]] bool lies_inside(const Marker& marker, const marker::PlacedPieces& pieces, std::uint32_t piece,
+                               const Freedom& freedom);
 
 }  // namespace selvage::packing::bodies

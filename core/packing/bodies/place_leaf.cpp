@@ -238,25 +238,12 @@ std::optional<std::vector<RealVec>> repaired(Marker layout, const Bodies& bodies
   return positions;
 }
 
-// True when the piece keeps the clearance from the ends of its room, too; the fold is none of them.
-bool has_clearance(const marker::PlacedPieces& pieces, std::uint32_t piece, const Marker& marker, Coord clearance) {
-  if (clearance == 0 || marker.pieces[piece].rules.on_fold) return true;
-  return pieces.room(piece, marker.strip, kLatticeLimit).grown(-clearance).contains(pieces.box(piece));
-}
-
 bool is_proved(const Marker& marker, const Bodies& bodies, const Freedom& freedom) {
   const marker::PlacedPieces pieces{marker};
   std::vector<std::uint32_t> changed;
   for (const auto& body : bodies.pieces) changed.insert(changed.end(), body.begin(), body.end());
-  const outline::enclosed::Container& container = freedom.container;
-  for (const std::uint32_t piece : changed) {
-    if (!container.box.contains(pieces.box(piece)) || protrusion_of(pieces, piece, marker.strip) > 0) return false;
-    if (!has_clearance(pieces, piece, marker, freedom.clearance)) return false;
-    for (const Polygon& wall : container.walls) {
-      if (marker::collide(pieces[piece], {wall, box_of(wall), {}}, freedom.clearance)) return false;
-    }
-  }
-  return keep_joint_rules(pieces) && are_clear(pieces, changed);
+  const auto inside = [&](std::uint32_t piece) { return lies_inside(marker, pieces, piece, freedom); };
+  return std::ranges::all_of(changed, inside) && keep_joint_rules(pieces) && are_clear(pieces, changed);
 }
 
 }  // namespace
