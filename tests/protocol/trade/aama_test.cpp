@@ -221,7 +221,7 @@ TEST(Unit, IsThatOfTheToleranceToo) {
   text.insert(text.find(corner) + corner.size(), " 42\n1\n");
   ReadingOptions inches;
   inches.unit = protocol::trade::LengthUnit::kInch;
-  const double area = area_of(*protocol::files::read_file(text, inches), 0) / (25.4 * 25.4);
+  const double area = test::area_of(*protocol::files::read_file(text, inches), 0) / (25.4 * 25.4);
   EXPECT_NEAR(area, 400 * 150 + 400 * 30 / 2 + std::numbers::pi * 200 * 200 / 2, 2);
 }
 
