@@ -106,6 +106,8 @@ class Attempting {
   void rearrange() {
     nesting::NestSettings settings;
     settings.moves = settings_.tuning.moves_per_piece * marker_.pieces.size();
+    settings.tuning.first_step = settings_.tuning.first_step;
+    settings.tuning.search.stretch = settings_.tuning.stretch;
     auto nested = nesting::nest(marker_, settings, run_.quiet());
     if (!nested || length_of(nested->marker) >= length_of(marker_)) return;
     attempt_.programs += nested->programs;

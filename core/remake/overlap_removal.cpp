@@ -81,13 +81,15 @@ class OverlapRemover {
     for (Piece& piece : marker.pieces) piece.orientation.tilt = {};  // the search knows no tilts
     const auto set = nesting::layout::piece_set_of(marker, nesting::layout::PlacedPiecesMay::kMove, run_.sums);
     if (!set) return std::nullopt;
-    const nesting::NestTuning nesting;
+    nesting::NestTuning nesting;
+    nesting.search.stretch = tuning_.stretch;
     nesting::local_search::GuidedSearch search{*set, kSeed, nesting.map_bytes, nesting.search};
     auto layout = to_layout(*set, marker);
     layout.length = static_cast<double>(length_of(marker)) / set->lattice_units;
     const auto over = [this] { return run_.stopped(); };
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
-      auto outcome = search.separate(layout, {tuning_.search_patience, tuning_.search_strikes}, over);
+      const std::size_t patience = k == 0 ? tuning_.first_patience : tuning_.search_patience;
+      auto outcome = search.separate(layout, {patience, tuning_.search_strikes}, over);
       layout = std::move(outcome.layout);
       if (outcome.loss == 0) {
         if (auto found = repaired(to_marker(*set, layout, marker))) {

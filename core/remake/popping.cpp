@@ -69,6 +69,7 @@ class Popper {
       return true;
     }
     const bool placed = at_end.unplaced.empty();
+    restored_.clear();
     for (const double scale : kScales) {
       auto restored = restored_from(piece, scale);
       if (!restored || (placed && length_of(*restored) >= length_of(at_end))) continue;
@@ -96,6 +97,8 @@ class Popper {
     if (insert_unplaced(with, homes_, run_) == 0) return std::nullopt;
     with.pieces.back().shape = piece.shape;
     with.shapes.pop_back();
+    if (was_restored_near(with.pieces.back())) return std::nullopt;
+    restored_.push_back(with.pieces.back());
     auto separated = separate(with, false);
     if (!separated || !separated->apart) return std::nullopt;
     return std::move(separated->marker);
@@ -107,6 +110,15 @@ class Popper {
       return std::llround(middle + scale * (static_cast<double>(value) - middle));
     };
     return {towards(v.x, box.low.x, box.high.x), towards(v.y, box.low.y, box.high.y)};
+  }
+
+  // Whether a copy of another scale was restored at nearly the same spot, where the separation failed.
+  [[nodiscard]] bool was_restored_near(const Piece& piece) const {
+    const auto near = std::llround(tuning_.same_spot * static_cast<double>(start_.strip.width));
+    return std::ranges::any_of(restored_, [&](const Piece& other) {
+      const Vec apart = other.at - piece.at;
+      return other.orientation == piece.orientation && std::abs(apart.x) <= near && std::abs(apart.y) <= near;
+    });
   }
 
   void restore_sequence() {
@@ -123,6 +135,7 @@ class Popper {
   const scene::Run& run_;
   Homes homes_;
   Marker marker_;
+  std::vector<Piece> restored_;  // copies of the piece that is being put back, where they were restored in vain
   int programs_{};
 };
 

@@ -198,7 +198,7 @@ std::vector<NestedLoop> nested(std::vector<Loop> loops) {
 
 NestedLoop* around_of(std::vector<NestedLoop>& outer, const std::vector<Spot>& points) {
   if (points.empty()) return nullptr;
-  constexpr std::size_t kLookedAt = 256;  // a few circles of thousands of chords would take seconds
+  constexpr std::size_t kLookedAt = 64;  // a few circles of thousands of chords would take seconds
   const std::size_t count = std::min(points.size(), kLookedAt);
   const Spot first = points.front(), last = points.back(), middle = points[points.size() / 2];
   const auto found = std::find_if(outer.begin(), outer.end(), [&](const NestedLoop& one) {

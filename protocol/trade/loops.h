@@ -61,7 +61,7 @@ struct NestedLoop {
 [[nodiscard]] std::vector<NestedLoop> nested(std::vector<Loop> loops);
 
 // The first loop in which most of the points lie, and at least the first, the last or the middle one; null when there
-// is none.  Of more than 256 points some are looked at, evenly chosen.
+// is none.  Of more than 64 points some are looked at, evenly chosen.
 [[nodiscard]] NestedLoop* around_of(std::vector<NestedLoop>& outer, const std::vector<document::Spot>& points);
 
 }  // namespace selvage::protocol::trade

@@ -13,7 +13,6 @@ using document::Spot;
 
 constexpr int kDeepest = 14;        // halvings of a curve
 constexpr double kStraight = 1e-7;  // of the tolerance's unit: a curve as flat as this is a straight edge
-constexpr int kMostChords = 4096;   // of one arc
 
 Spot middle(Spot a, Spot b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -93,7 +92,7 @@ void Path::arc(Spot centre, Spot u, Spot v, double from, double sweep) {
   const double tolerance = flattening_.tolerance();
   const double cosine = std::max(0.0, 1 - tolerance / std::max(radius, tolerance));
   const double widest = std::min(2 * std::acos(cosine), std::numbers::pi / 3);
-  const int chords = std::clamp(static_cast<int>(std::ceil(std::abs(sweep) / std::max(widest, 1e-6))), 1, kMostChords);
+  const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / std::max(widest, 1e-6))));
   if (!flattening_.take(static_cast<std::size_t>(chords))) return;
   const double step = sweep / chords, stretch = 1 / std::cos(step / 2);
   const auto at = [&](double t, double scale) {

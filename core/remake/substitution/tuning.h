@@ -20,20 +20,25 @@ struct RemakeTuning {
   double column_slip{0.02};      // pieces that share less of x than this may pass each other
   double swap_price{0.25};       // a swap may cost at most this part of the swapped pieces' area
   // Coming apart:
-  double growth{0.04};              // part of its length by which separation may lengthen the marker
-  int separation_rounds{40};        // at most
-  int separation_patience{12};      // rounds without progress before separation gives up
-  double trim{0.35};                // of the mean area of the pieces: larger ones are popped after smaller ones
-  std::size_t pops{6};              // pieces popped at most
-  double popped_growth{0.02};       // part of its length: when popping makes the marker longer, a search is tried, too
-  std::size_t search_patience{60};  // of the guided local search, when linear programs cannot part the pieces
+  double growth{0.04};          // part of its length by which separation may lengthen the marker
+  int separation_rounds{40};    // at most
+  int separation_patience{12};  // rounds without progress before separation gives up
+  double trim{0.35};            // of the mean area of the pieces: larger ones are popped after smaller ones
+  std::size_t pops{6};          // pieces popped at most
+  double popped_growth{0.02};   // part of its length: when popping makes the marker longer, a search is tried, too
+  double same_spot{0.002};      // shrunken copies this near to each other are restored only once
+  // The guided local search, when linear programs cannot part the pieces.  Its first try, in the marker's own length,
+  // seldom parts pieces that are larger than the stored ones, and is given up sooner.
+  std::size_t first_patience{20}, search_patience{60};
   std::size_t search_strikes{1};
   double search_growth{0.015};  // part of its length by which the marker grows before each of
   int searches{12};             // this many searches
   // Afterwards:
   double near_enough{0.01};           // utilisation below that of the stored marker at which no better one is sought
   std::uint64_t moves_per_piece{40};  // of the search for a shorter marker
-  std::uint64_t trim_trials{16};      // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
+  double first_step{0.01};            // part of its length by which this search shortens the marker at first
+  double stretch{2};                  // of this search and the one above: nesting::local_search::SearchTuning::stretch
+  std::uint64_t trim_trials{4};       // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
   friend bool operator==(const RemakeTuning&, const RemakeTuning&) = default;
 };
 
