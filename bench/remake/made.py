@@ -16,7 +16,8 @@ EXAMPLES = ROOT / "examples" / "markers"
 sys.path.insert(0, str(ROOT / "bench" / "nesting"))
 import race as nesters  # noqa: E402
 
-MOVES, MIX_MOVES = 60_000, 600_000  # budgets for a stored marker and for an order to compare with: about 6 and 60 s
+# Budgets: of a stored marker, about 6 s; of one for the race, and of an order to compare with, about 60 s.
+MOVES, LONG_MOVES = 60_000, 600_000
 MIXES = range(1001, 1006)  # the seeds of the stored mixes; the seeds of orders are smaller
 SPREAD_MIXES = range(2001, 2015)  # of each garment
 # Garments of the table, and instances of the literature, on which remaking was never tuned.
@@ -36,13 +37,13 @@ def source_of(options, garment):
     raise FileNotFoundError(garment)
 
 
-def nested(options, order, name):
+def nested(options, order, name, moves=MOVES):
     """The order nested from nothing and refined."""
     path = options.kept / "stored" / f"{name}.json"
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         start = options.kept / "start.json"
-        run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MOVES, "--format", "native", "-o", start)
+        run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", moves, "--format", "native", "-o", start)
         run(options.programs / "selvage", "compact", start, "--accuracy", "fine", "--format", "native", "-o", path)
     return path
 
@@ -56,6 +57,19 @@ def stored_marker(options, garment):
         run(options.programs / "selvage", "compact", options.data / "garments" / "jeans_06g_tight.json", "--accuracy", "fine",
             "--format", "native", "-o", path)
     return path
+
+
+def raced_order(options, garment, seed):
+    """An order of sizes 4 % apart, remade from a marker that was nested for a minute; None when it is neither kept nor asked for."""
+    kept = options.kept / "raced" / f"{garment}-{seed}.json"
+    if not kept.exists():
+        if not options.race:
+            return None
+        kept.parent.mkdir(exist_ok=True)
+        stored = (stored_marker(options, garment) if garment == "jeans_06g"
+                  else nested(options, source_of(options, garment), f"{garment}-long", LONG_MOVES))
+        kept.write_text(run(options.programs / "remake_orders", "--change", "graded", "--part", 0.04, "--first", seed, stored), "utf-8")
+    return json.loads(kept.read_text("utf-8"))
 
 
 def order_file(options, garment, change, part, seed):
@@ -102,7 +116,7 @@ def mix_from_nothing(options, seed):
         kept.parent.mkdir(exist_ok=True)
         order, out = order_file(options, "charlie_04g", "mixed", 0, seed), options.kept / "mix.json"
         begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        output = run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MIX_MOVES, "--json", "-o", out)
+        output = run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", LONG_MOVES, "--json", "-o", out)
         seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
         kept.write_text(json.dumps({"utilisation": json.loads(output)["utilisation_after"], "seconds": seconds}), "utf-8")
     return json.loads(kept.read_text("utf-8"))

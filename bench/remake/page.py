@@ -137,15 +137,12 @@ def race(options):
     """Orders of sizes 4 % apart, beside a nester that begins with nothing and has 60 s."""
     lines = []
     for garment, seed in made.RACES:
-        nested = made.nested_elsewhere(options, garment, seed)
-        results = Results(options, "graded", 0.04, (garment,), 1)
-        if nested and not results.all():
-            results.add_batch()
-        remade = next((order for order in results.all() if order["seed"] == seed and order["made"]), None)
-        if nested and remade:
-            lines.append((garment, seed, f"{100 * remade['utilisation']:.2f} %", f"{remade['seconds']:.2f}",
-                          f"{nested['density']:.2f} %" + ("" if nested["valid"] else " (overlaps)")))
-    return table(("stored", "order", "remade", "s", "spyrrow, 60 s"), lines) if lines else ""
+        nested, order = made.nested_elsewhere(options, garment, seed), made.raced_order(options, garment, seed)
+        if not nested or not order or not order["made"]:
+            continue
+        lines.append((garment, seed, f"{100 * order['stored']:.2f} %", f"{100 * order['utilisation']:.2f} %", f"{order['seconds']:.2f}",
+                      f"{nested['density']:.2f} %" + ("" if nested["valid"] else " (overlaps)")))
+    return table(("order of", "seed", "stored marker", "remade", "s", "spyrrow, 60 s"), lines) if lines else ""
 
 
 def mixes(options):
