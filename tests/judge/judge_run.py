@@ -17,7 +17,7 @@ from judge_layout import violations, read
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        run = subprocess.run(sys.argv[1:], env={**os.environ, "SELVAGE_OUTLINES": folder}, stdout=subprocess.DEVNULL, check=False)
+        run = subprocess.run(sys.argv[1:], env={**os.environ, "SELVAGE_OUTLINES": folder}, check=False)
         layouts = sorted(pathlib.Path(folder).glob("*.json"))
         invalid = 0
         for path in layouts:

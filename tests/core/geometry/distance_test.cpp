@@ -30,11 +30,11 @@ TEST(CloserThan, IsFalseAtExactlyTheDistance) {
   EXPECT_TRUE(closer_than(placed(slanted), placed(corner), 6));
 }
 
-struct Counts {
+struct Distances {
   std::size_t nearer{}, equal{}, farther{};
 };
 
-void expect_exact_answer(const Polygon& p, const Polygon& q, Coord distance, Counts& counts) {
+void expect_exact_answer(const Polygon& p, const Polygon& q, Coord distance, Distances& counts) {
   const bool ours = closer_than(placed(p), placed(q), distance);
   ASSERT_EQ(closer_than(placed(q), placed(p), distance), ours);
   if (interiors_meet(p, q)) {
@@ -48,7 +48,7 @@ void expect_exact_answer(const Polygon& p, const Polygon& q, Coord distance, Cou
 
 TEST(CloserThan, AgreesWithExactDistancesOnSmallLattices) {
   Random random{51};
-  Counts counts;
+  Distances counts;
   for (int trial = 0; trial < 6000 / kSlowdown; ++trial) {
     const Polygon p = random_simple(random, static_cast<std::size_t>(random.between(3, 7)), 8);
     const Polygon q = random_simple(random, static_cast<std::size_t>(random.between(3, 7)), 8);
@@ -62,7 +62,7 @@ TEST(CloserThan, AgreesWithExactDistancesOnSmallLattices) {
 
 TEST(CloserThan, IsExactOnLargeLattices) {
   Random random{52};
-  Counts counts;
+  Distances counts;
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(28, 35);
     const Polygon p = scaled(random_simple(random, 5, 8), factor);

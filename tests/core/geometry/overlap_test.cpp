@@ -40,11 +40,11 @@ TEST(Overlap, IsTrueWithoutProperCrossings) {
   EXPECT_TRUE(overlapping({{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 3}, {0, 4}}, {{2, 2}, {4, 3}, {2, 4}}));
 }
 
-struct Counts {
+struct Answers {
   std::size_t overlapping{}, apart{};
 };
 
-void expect_exact_answer(const Polygon& p, const Polygon& q, Counts& counts) {
+void expect_exact_answer(const Polygon& p, const Polygon& q, Answers& counts) {
   const bool expected = interiors_meet(p, q);
   const std::string pair = text_of(p) + " and " + text_of(q);
   ASSERT_EQ(overlap(placed(p), placed(q)), expected) << pair;
@@ -70,7 +70,7 @@ TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
   for (int k = 0; k < 400; ++k) {
     pool.push_back(random_simple(random, static_cast<std::size_t>(random.between(3, 8)), random.between(2, 8)));
   }
-  Counts counts;
+  Answers counts;
   for (int trial = 0; trial < 30'000 / kSlowdown; ++trial) {
     const Polygon p = pool[random.below(pool.size())];
     const Polygon q = trial % 50 == 0 ? p : transformed(pool[random.below(pool.size())], random.symmetry());
@@ -88,7 +88,7 @@ TEST(Overlap, AgreesWithExactIntersectionOnSmallLattices) {
 
 TEST(Overlap, AgreesWithExactIntersectionOnDifficultShapes) {
   Random random{42};
-  Counts counts;
+  Answers counts;
   for (int trial = 0; trial < 1500 / kSlowdown; ++trial) {
     const Polygon p = random_polygon(random, 16);
     const Polygon q = transformed(random_polygon(random, 8), random.symmetry());
@@ -102,7 +102,7 @@ TEST(Overlap, AgreesWithExactIntersectionOnDifficultShapes) {
 // The same coincidences, or one unit off them, where a unit is 2^-37 of the polygon's size.
 TEST(Overlap, IsExactOnLargeLattices) {
   Random random{43};
-  Counts counts;
+  Answers counts;
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
     const Coord factor = Coord{1} << random.between(30, 36);
     const Polygon p = scaled(random_simple(random, 6, 7), factor);

@@ -17,26 +17,26 @@ ErrorCode error_of(const std::vector<Vec>& vertices) {
   return clean ? ErrorCode{} : clean.error().code;
 }
 
-const Polygon kSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+const Polygon kCleanSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 TEST(CleanPolygon, LeavesACleanPolygonUnchanged) {
-  const auto clean = clean_polygon(kSquare);
+  const auto clean = clean_polygon(kCleanSquare);
   ASSERT_TRUE(clean);
-  EXPECT_EQ(clean->polygon, kSquare);
+  EXPECT_EQ(clean->polygon, kCleanSquare);
   EXPECT_EQ(clean->repairs, geometry::Repairs{});
 }
 
 TEST(CleanPolygon, AcceptsARepeatedFirstVertexAtTheEnd) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}});
   ASSERT_TRUE(clean);
-  EXPECT_EQ(clean->polygon, kSquare);
+  EXPECT_EQ(clean->polygon, kCleanSquare);
   EXPECT_EQ(clean->repairs, geometry::Repairs{});
 }
 
 TEST(CleanPolygon, ReversesClockwisePolygons) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {0, 4}, {4, 4}, {4, 0}});
   ASSERT_TRUE(clean);
-  EXPECT_EQ(clean->polygon, kSquare);
+  EXPECT_EQ(clean->polygon, kCleanSquare);
   EXPECT_EQ(clean->repairs, (geometry::Repairs{.reversed = true}));
 }
 
@@ -44,7 +44,7 @@ TEST(CleanPolygon, RemovesRepeatedVertices) {
   const auto clean =
       clean_polygon(std::vector<Vec>{{0, 0}, {0, 0}, {4, 0}, {4, 4}, {4, 4}, {4, 4}, {0, 4}, {0, 0}, {0, 0}});
   ASSERT_TRUE(clean);
-  EXPECT_EQ(clean->polygon, kSquare);
+  EXPECT_EQ(clean->polygon, kCleanSquare);
   EXPECT_EQ(clean->repairs, (geometry::Repairs{.duplicate_vertices = 4}));
 }
 
@@ -59,14 +59,14 @@ TEST(CleanPolygon, RemovesCollinearVertices) {
 TEST(CleanPolygon, RemovesSpikes) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {9, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 7}, {0, 3}});
   ASSERT_TRUE(clean);
-  EXPECT_EQ(clean->polygon, kSquare);
+  EXPECT_EQ(clean->polygon, kCleanSquare);
   EXPECT_FALSE(clean->repairs.reversed);
 }
 
 TEST(CleanPolygon, RemovesNestedSpikes) {
   const auto clean = clean_polygon(std::vector<Vec>{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {8, 9}, {8, 4}, {4, 4}, {0, 4}});
   ASSERT_TRUE(clean);
-  EXPECT_EQ(clean->polygon, kSquare);
+  EXPECT_EQ(clean->polygon, kCleanSquare);
 }
 
 TEST(CleanPolygon, RemovesASpikeAtTheStartOfTheList) {

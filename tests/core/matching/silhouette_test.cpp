@@ -8,10 +8,10 @@
 namespace selvage::matching {
 namespace {
 
-const Polygon kSquare{{0, 0}, {3200, 0}, {3200, 3200}, {0, 3200}};
+const Polygon kLargeSquare{{0, 0}, {3200, 0}, {3200, 3200}, {0, 3200}};
 
 TEST(Silhouette, OfASquareIsFull) {
-  const Silhouette square = silhouette_of(kSquare);
+  const Silhouette square = silhouette_of(kLargeSquare);
   for (const std::uint32_t row : square.rows) EXPECT_EQ(row, 0xffffffffU);
   EXPECT_EQ(square.area, 3200.0 * 3200.0);
 }

@@ -16,9 +16,9 @@ namespace selvage::nesting::depth {
 namespace {
 
 using layout::PieceSet;
+using test::kWidth;
 using test::Random;
 
-constexpr Coord kWidth = 1'000'000;  // lattice units: a model unit is a thousand of them
 constexpr MapScale kScale{.pixel = 4, .charge = 5};
 
 struct Pair {

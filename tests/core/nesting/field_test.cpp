@@ -15,9 +15,9 @@ namespace selvage::nesting::local_search {
 namespace {
 
 using layout::Layout;
+using test::kWidth;
 using test::Random;
 
-constexpr Coord kWidth = 1'000'000;
 constexpr depth::MapScale kScale{.pixel = 4, .charge = 5};
 
 // Six random pieces, each somewhere in one of its eight orientations.

@@ -19,11 +19,10 @@
 namespace selvage::nesting {
 namespace {
 
+using test::kWidth;
 using test::Random;
 using test::rectangle;
 using test::unplaced_pieces;
-
-constexpr Coord kWidth = 1'000'000;
 
 NestSettings settings_of(std::uint64_t moves) {
   NestSettings settings;

@@ -11,7 +11,7 @@
 namespace selvage::nesting::layout {
 namespace {
 
-constexpr Coord kWidth = 1'000'000;
+using test::kWidth;
 
 Marker bars(std::size_t pieces) {
   return test::unplaced_pieces({test::rectangle(1'200'000, 100'000), test::rectangle(50'000, 50'000)}, pieces, kWidth);

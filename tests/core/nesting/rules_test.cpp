@@ -15,11 +15,10 @@
 namespace selvage::nesting {
 namespace {
 
+using test::kSide;
+using test::kWidth;
 using test::rectangle;
 using test::unplaced_pieces;
-
-constexpr Coord kWidth = 1'000'000;
-constexpr Coord kSide = test::kSide;
 
 Result<Nesting> nested(const Marker& marker, std::uint64_t moves) {
   SumCache sums;

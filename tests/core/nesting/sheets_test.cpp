@@ -15,11 +15,10 @@
 namespace selvage::nesting::sheets {
 namespace {
 
+using test::kWidth;
 using test::Random;
 using test::rectangle;
 using test::unplaced_pieces;
-
-constexpr Coord kWidth = 1'000'000;
 
 Sheet plain_sheet(Coord width, Coord length, std::size_t count = 1) {
   Sheet sheet;

@@ -41,7 +41,8 @@ namespace selvage::test {
   return marker;
 }
 
-inline constexpr Coord kSide = 100'000;  // lattice units
+inline constexpr Coord kWidth = 1'000'000;  // of a strip, in lattice units: a model unit is a thousand of them
+inline constexpr Coord kSide = 100'000;     // of a piece, in lattice units
 [[nodiscard]] inline Polygon rectangle(Coord width, Coord height) {
   return {{0, 0}, {width, 0}, {width, height}, {0, height}};
 }

@@ -74,7 +74,7 @@ TEST(StarParts, AreASinglePartForStarShapedPolygons) {
   }
 }
 
-void expect_partition(const Polygon& polygon) {
+void expect_star_partition(const Polygon& polygon) {
   const auto parts = outline::star_parts(polygon);
   Wide total = 0;
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed;
@@ -105,7 +105,7 @@ void expect_partition(const Polygon& polygon) {
 TEST(StarParts, PartitionRandomPolygons) {
   Random random{73};
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
-    expect_partition(random_polygon(random, random.chance(30) ? 10 : 1'000'000));
+    expect_star_partition(random_polygon(random, random.chance(30) ? 10 : 1'000'000));
     if (HasFatalFailure()) return;
   }
 }
@@ -113,12 +113,12 @@ TEST(StarParts, PartitionRandomPolygons) {
 TEST(StarParts, PartitionDifficultPolygons) {
   Random random{74};
   for (int trial = 0; trial < 100 / kSlowdown; ++trial) {
-    expect_partition(random_comb(random, 20, 400, trial % 2 == 0));
-    expect_partition(spiral(static_cast<std::size_t>(random.between(6, 40)), 2000));
-    expect_partition(random_needle(random, kLatticeLimit / 2));
-    expect_partition(random_simple(random, 60, 5000));
-    expect_partition(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
-    expect_partition(scaled(random_polygon(random, 40), kLatticeLimit / 64));
+    expect_star_partition(random_comb(random, 20, 400, trial % 2 == 0));
+    expect_star_partition(spiral(static_cast<std::size_t>(random.between(6, 40)), 2000));
+    expect_star_partition(random_needle(random, kLatticeLimit / 2));
+    expect_star_partition(random_simple(random, 60, 5000));
+    expect_star_partition(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
+    expect_star_partition(scaled(random_polygon(random, 40), kLatticeLimit / 64));
     if (HasFatalFailure()) return;
   }
 }

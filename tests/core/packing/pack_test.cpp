@@ -9,32 +9,14 @@
 #include "core/marker/validity.h"
 #include "core/packing/first_layout.h"
 #include "tests/core/motion/markers.h"
+#include "tests/core/packing/optimum.h"
 #include "tests/core/packing/polyominoes.h"
 
 namespace selvage::packing {
 namespace {
 
-Packing packed(const Marker& marker, const PackSettings& settings = {}) {
-  SumCache sums;
-  Packing packing = pack(marker, settings, {sums});
-  EXPECT_EQ(packing.length_after, length_of(packing.marker));
-  if (packing.found) {
-    EXPECT_LE(packing.bound, packing.length_after);
-    EXPECT_TRUE(is_valid(packing.marker));
-  }
-  return packing;
-}
-
-// The pieces' shortest length is `optimum`, and the search proves it: within the gap of a millionth of the width and
-// the few units by which rounding lengthens a layout.
-void expect_optimum(const Marker& marker, Coord optimum, const PackSettings& settings = {}) {
-  const Packing packing = packed(marker, settings);
-  EXPECT_TRUE(packing.proved);
-  EXPECT_EQ(packing.reason, scene::StopReason::kConverged);
-  EXPECT_LE(packing.bound, optimum);
-  EXPECT_GE(packing.length_after, optimum);
-  EXPECT_LE(packing.length_after, optimum + 16);
-}
+using test::expect_optimum;
+using test::packed;
 
 Marker limited(Marker marker, Coord longest) {
   marker.strip.longest = longest;

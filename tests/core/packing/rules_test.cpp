@@ -9,9 +9,13 @@
 #include "core/packing/refitting/compact_exactly.h"
 #include "core/packing/refitting/fill_gaps.h"
 #include "tests/core/motion/markers.h"
+#include "tests/core/packing/optimum.h"
 
 namespace selvage::packing {
 namespace {
+
+using test::expect_optimum;
+using test::packed;
 
 // Squares of 10 mm in a strip of 20 mm.
 Marker squares(std::size_t count) {
@@ -21,15 +25,6 @@ Marker squares(std::size_t count) {
   return layout.marker();
 }
 
-Packing packed(const Marker& marker) {
-  SumCache sums;
-  Packing packing = pack(marker, {}, {sums});
-  if (packing.found) {
-    EXPECT_TRUE(is_valid(packing.marker));
-  }
-  return packing;
-}
-
 Verdict verdict_of(const Marker& marker, const std::vector<PieceId>& pieces, const Box& room) {
   SumCache sums;
   const Containment done = contain(marker, pieces, room, {}, {sums});
@@ -37,15 +32,6 @@ Verdict verdict_of(const Marker& marker, const std::vector<PieceId>& pieces, con
     EXPECT_TRUE(is_valid(done.marker));
   }
   return done.verdict;
-}
-
-void expect_optimum(const Marker& marker, Coord optimum) {
-  const Packing packing = packed(marker);
-  ASSERT_TRUE(packing.found);
-  EXPECT_TRUE(packing.proved);
-  EXPECT_LE(packing.bound, optimum);
-  EXPECT_GE(packing.length_after, optimum);
-  EXPECT_LE(packing.length_after, optimum + 16);
 }
 
 TEST(RulesInPacking, SquaresOnTheFoldLieInARow) {

@@ -19,7 +19,7 @@ using protocol::files::read_file;
 using protocol::trade::ReadingOptions;
 using test::area_of;
 using test::extent_of;
-using test::read;
+using test::read_text;
 
 std::string svg(const std::string& content) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000mm\" height=\"800mm\" viewBox=\"0 0 1000 800\">" +
@@ -45,7 +45,7 @@ TEST(Flattening, HoldsTheTrueCurve) {
   for (const double tolerance : {1.0, 0.1, 0.01}) {
     ReadingOptions options;
     options.tolerance = tolerance;
-    const MarkerFile file = read(svg("<circle id=\"c\" cx=\"200\" cy=\"200\" r=\"100\"/>"), options);
+    const MarkerFile file = read_text(svg("<circle id=\"c\" cx=\"200\" cy=\"200\" r=\"100\"/>"), options);
     const double unit = to_decimal(1, file.marker.resolution);
     const Polygon& outline = file.marker.shapes[0].outline;
     const auto [x, y] = centre_of(outline, unit);
@@ -64,7 +64,7 @@ TEST(Flattening, HoldsTheTrueCurve) {
 
 // A bay is flattened by chords, so that the outline is never inside the true one either.
 TEST(Flattening, OfABayStaysOutOfTheCloth) {
-  const MarkerFile file = read(svg("<path d=\"M0 0 H300 V200 H200 A50 50 0 0 0 100 200 H0 Z\"/>"));
+  const MarkerFile file = read_text(svg("<path d=\"M0 0 H300 V200 H200 A50 50 0 0 0 100 200 H0 Z\"/>"));
   const double exact = 300 * 200 - 3.14159265358979 * 50 * 50 / 2;
   EXPECT_GE(area_of(file, 0), exact);
   EXPECT_LE(area_of(file, 0), exact + 0.05 * 160);
@@ -94,14 +94,14 @@ TEST(Flattening, NeedsNoMoreChordsThanAFileOfItsSizeMayHave) {
 }
 
 TEST(SvgIn, CubicsWithInflectionsHoldTheirArea) {
-  const MarkerFile file = read(svg("<path d=\"M0 100 C100 0 200 200 300 100 L300 400 L0 400 z\"/>"));
+  const MarkerFile file = read_text(svg("<path d=\"M0 100 C100 0 200 200 300 100 L300 400 L0 400 z\"/>"));
   // The curve is symmetric about its middle, so the area is that of the rectangle.
   EXPECT_GE(area_of(file, 0), 300 * 300);
   EXPECT_LE(area_of(file, 0), 300 * 300 + 0.05 * 320);
 }
 
 TEST(SvgIn, TransformsNestAndUnitsComeFromTheViewBox) {
-  const MarkerFile file = read(
+  const MarkerFile file = read_text(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"10in\" viewBox=\"0 0 100 80\"><g transform=\"translate(5,5) "
       "scale(2)\">"
       "<g id=\"A\" transform=\"rotate(90)\"><rect width=\"10\" height=\"20\"/></g></g></svg>");
@@ -110,17 +110,17 @@ TEST(SvgIn, TransformsNestAndUnitsComeFromTheViewBox) {
 }
 
 TEST(SvgIn, ArcFlagsMayTouchAndRelativePathsAreFollowed) {
-  const MarkerFile file = read(svg("<path d=\"m100 100 100 0a50 50 0 01-100 0z\"/>"));
+  const MarkerFile file = read_text(svg("<path d=\"m100 100 100 0a50 50 0 01-100 0z\"/>"));
   EXPECT_NEAR(extent_of(file, "piece").x, 100, 1e-6);
   EXPECT_NEAR(extent_of(file, "piece").y, 50, 0.1);
 }
 
 TEST(SvgIn, CutLineOutsideSewLineInsideHiddenLeftOut) {
   const MarkerFile file =
-      read(svg("<defs><path d=\"M0 0H900V700H0z\"/></defs><path class=\"hidden\" d=\"M0 0H900V700H0z\"/><g "
-               "id=\"fs-x-part-cuff\">"
-               "<path class=\"fabric\" d=\"M10 10H110V60H10z\"/><path class=\"fabric sa\" d=\"M0 0H120V70H0z\"/>"
-               "<path class=\"note\" marker-start=\"url(#grainlineFrom)\" d=\"M60 60V10\"/></g>"));
+      read_text(svg("<defs><path d=\"M0 0H900V700H0z\"/></defs><path class=\"hidden\" d=\"M0 0H900V700H0z\"/><g "
+                    "id=\"fs-x-part-cuff\">"
+                    "<path class=\"fabric\" d=\"M10 10H110V60H10z\"/><path class=\"fabric sa\" d=\"M0 0H120V70H0z\"/>"
+                    "<path class=\"note\" marker-start=\"url(#grainlineFrom)\" d=\"M60 60V10\"/></g>"));
   ASSERT_EQ(file.marker.shapes.size(), 1U);
   EXPECT_EQ(file.marker.shapes[0].id, "cuff");
   EXPECT_EQ(extent_of(file, "cuff").x, 70);  // the grain ran upwards
@@ -133,11 +133,11 @@ TEST(SvgIn, CutLineOutsideSewLineInsideHiddenLeftOut) {
 
 TEST(SvgIn, UsesAndSymbolsAreDrawnWhereTheyAreUsed) {
   const MarkerFile file =
-      read(svg("<defs><path id='p' d='M0 0h50v30h-50z'/></defs><use href='#p' x='10'/>"
-               "<use xlink:href='#p' transform='translate(200 100) rotate(90)'/><use href='#gone'/>"
-               "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol>"
-               "<use href='#s' x='300' width='40' height='60'/>"
-               "<svg x='500' width='100' height='100' viewBox='0 0 10 10'><rect width='5' height='2'/></svg>"));
+      read_text(svg("<defs><path id='p' d='M0 0h50v30h-50z'/></defs><use href='#p' x='10'/>"
+                    "<use xlink:href='#p' transform='translate(200 100) rotate(90)'/><use href='#gone'/>"
+                    "<symbol id='s' viewBox='0 0 10 10'><rect width='10' height='10'/></symbol>"
+                    "<use href='#s' x='300' width='40' height='60'/>"
+                    "<svg x='500' width='100' height='100' viewBox='0 0 10 10'><rect width='5' height='2'/></svg>"));
   ASSERT_EQ(file.marker.shapes.size(), 4U);
   std::vector<double> areas;
   for (std::size_t k = 0; k < 4; ++k) areas.push_back(area_of(file, k));
@@ -151,8 +151,8 @@ TEST(SvgIn, UsesAndSymbolsAreDrawnWhereTheyAreUsed) {
 
 TEST(SvgIn, SmallMarksThatAreUsedOnAnEdgeBelongToTheirPiece) {
   const MarkerFile file =
-      read(svg("<defs><g id='notch'><circle r='1.4'/></g></defs><rect width='100' height='50'/>"
-               "<use href='#notch' x='50' y='50'/><use href='#notch' x='20' y='20'/>"));
+      read_text(svg("<defs><g id='notch'><circle r='1.4'/></g></defs><rect width='100' height='50'/>"
+                    "<use href='#notch' x='50' y='50'/><use href='#notch' x='20' y='20'/>"));
   ASSERT_EQ(file.marker.shapes.size(), 1U);
   EXPECT_EQ(protocol::document::annotations_of(file.attributes.shapes[0]).lines.size(), 2U);
 }
@@ -172,25 +172,25 @@ TEST(SvgIn, UsesThatMultiplyAreRefused) {
 
 TEST(SvgIn, LengthsHaveUnitsAndPixelsAreANinetySixthOfAnInch) {
   const std::string pixels = "<svg width='960' height='960' viewBox='0 0 9600 9600'>";
-  const MarkerFile small = read(pixels + "<rect width='9600' height='960'/></svg>");
+  const MarkerFile small = read_text(pixels + "<rect width='9600' height='960'/></svg>");
   EXPECT_NEAR(extent_of(small, "piece").x, 254, 1e-5);
   const MarkerFile lengths =
-      read("<svg width='254mm' height='254mm' viewBox='0 0 960 960'><rect width='100mm' height='2in'/></svg>");
+      read_text("<svg width='254mm' height='254mm' viewBox='0 0 960 960'><rect width='100mm' height='2in'/></svg>");
   EXPECT_NEAR(extent_of(lengths, "piece").x, 100, 1e-5);
   EXPECT_NEAR(extent_of(lengths, "piece").y, 50.8, 1e-5);
 }
 
 TEST(SvgIn, RoundedRectanglesAreHeldWithinTheTolerance) {
-  const double area = area_of(read(svg("<rect width='100' height='50' rx='10'/>")), 0);
+  const double area = area_of(read_text(svg("<rect width='100' height='50' rx='10'/>")), 0);
   EXPECT_GE(area, 5000 - (4 - std::numbers::pi) * 100);
   EXPECT_LE(area, 5000 - (4 - std::numbers::pi) * 100 + 0.05 * 2 * std::numbers::pi * 10);
 }
 
 TEST(SvgIn, WhatIsNotReadIsNoted) {
   const MarkerFile file =
-      read(svg("<style>.guide { stroke: red; display: none }</style><rect class='guide' width='900' height='700'/>"
-               "<rect width='100' height='50'/><text x='5' y='5'>FRONT</text><path d='M500 500l9 9'/>"
-               "<g transform='rotate(12'><rect x='200' width='10' height='10'/></g>"));
+      read_text(svg("<style>.guide { stroke: red; display: none }</style><rect class='guide' width='900' height='700'/>"
+                    "<rect width='100' height='50'/><text x='5' y='5'>FRONT</text><path d='M500 500l9 9'/>"
+                    "<g transform='rotate(12'><rect x='200' width='10' height='10'/></g>"));
   EXPECT_EQ(file.marker.shapes.size(), 2U);
   EXPECT_TRUE(test::has_note(file, "<text> is not read"));
   EXPECT_TRUE(test::has_note(file, "1 open lines and marks outside of all pieces are left out"));
@@ -198,7 +198,7 @@ TEST(SvgIn, WhatIsNotReadIsNoted) {
 }
 
 TEST(SvgIn, NamesThatAreNotUtf8AreMadeSo) {
-  const MarkerFile file = read(svg("<g id='A\xff'><rect width='100' height='50'/></g>"));
+  const MarkerFile file = read_text(svg("<g id='A\xff'><rect width='100' height='50'/></g>"));
   EXPECT_EQ(file.marker.shapes.front().id, "A\xef\xbf\xbd");
 }
 
@@ -209,7 +209,7 @@ TEST(SvgIn, BrokenXmlIsRefused) {
 }
 
 TEST(EsicupIn, WithoutASolutionPiecesLieInColumns) {
-  const MarkerFile file = read(
+  const MarkerFile file = read_text(
       "<?xml version=\"1.0\"?><nesting><name>n</name><problem><boards><piece id=\"b\"><component "
       "idPolygon=\"p0\"/></piece></boards>"
       "<lot><piece id=\"x\" quantity=\"3\"><orientation><enumeration angle=\"0\"/><enumeration "
@@ -231,7 +231,7 @@ TEST(EsicupIn, NumbersAreCheckedAndComponentsMoved) {
            "</piece></lot></problem><polygons><polygon id='p'><lines><segment x0='0' y0='0'/><segment x0='" +
            x + "' y0='0'/><segment x0='0' y0='30'/></lines></polygon></polygons></nesting>";
   };
-  EXPECT_NEAR(extent_of(read(form("50.5", "2")), "A").x, 50.5, 1e-6);
+  EXPECT_NEAR(extent_of(read_text(form("50.5", "2")), "A").x, 50.5, 1e-6);
   const auto comma = read_file(form("50,5", "2"));
   ASSERT_FALSE(comma);
   EXPECT_NE(comma.error().message.find("x0 of <segment> is \"50,5\""), std::string::npos) << comma.error().message;
@@ -243,10 +243,10 @@ TEST(RealDrawings, AreRead) {
   const std::string albano = test::real_file("esicup/albano.xml"),
                     charlie = test::real_file("svg/freesewing_charlie.svg");
   if (albano.empty()) GTEST_SKIP() << "SELVAGE_TRADE_DATA does not name the folder of real files";
-  const MarkerFile nest = read(albano);
+  const MarkerFile nest = read_text(albano);
   EXPECT_EQ(nest.marker.pieces.size(), 24U);
   EXPECT_EQ(nest.marker.shapes.size(), 8U);
-  const MarkerFile trousers = read(charlie);
+  const MarkerFile trousers = read_text(charlie);
   EXPECT_EQ(trousers.marker.shapes.size(), 12U);
 }
 

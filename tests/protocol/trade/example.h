@@ -37,7 +37,7 @@ inline MarkerFile read_example(const std::string& name, const protocol::trade::R
 }
 
 // REQUIRES: the text can be read.
-inline MarkerFile read(const std::string& text, const protocol::trade::ReadingOptions& options = {}) {
+inline MarkerFile read_text(const std::string& text, const protocol::trade::ReadingOptions& options = {}) {
   auto file = protocol::files::read_file(text, options);
   if (!file) throw std::runtime_error(file.error().field + ": " + file.error().message);
   return *std::move(file);

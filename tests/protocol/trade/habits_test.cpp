@@ -18,7 +18,7 @@ using protocol::trade::ReadingOptions;
 using test::extent_of;
 using test::has_note;
 using test::pieces_of;
-using test::read;
+using test::read_text;
 using Corners = std::vector<std::pair<double, double>>;
 
 const Corners kOutline{{0, 0}, {300, 0}, {300, 200}, {120, 260}, {0, 200}};
@@ -53,12 +53,12 @@ TEST(UnitText, IsKnownInItsSpellings) {
                                           {"UNITS: Metric (mm)", 300.0},
                                           {"UNIT: centimetres", 3000.0},
                                           {"Units: Inches", 7620.0}}) {
-    EXPECT_NEAR(extent_of(read(file_of(named("A"), text(said))), "A").x, millimetres, 1e-6) << said;
+    EXPECT_NEAR(extent_of(read_text(file_of(named("A"), text(said))), "A").x, millimetres, 1e-6) << said;
   }
 }
 
 TEST(UnitText, MayStandInTheBlock) {
-  EXPECT_NEAR(extent_of(read(file_of(named("A") + text("Units: METRIC"), "")), "A").x, 300, 1e-6);
+  EXPECT_NEAR(extent_of(read_text(file_of(named("A") + text("Units: METRIC"), "")), "A").x, 300, 1e-6);
 }
 
 TEST(UnitText, AnUnknownOneIsNamed) {
@@ -84,7 +84,7 @@ TEST(QuantityText, IsKnownInItsSpellings) {
                           {"x2", 2, 0},
                           {"3 pcs", 3, 0},
                           {"2", 2, 0}}) {
-    const MarkerFile file = read(file_of(named("A") + text(std::string{"Quantity: "} + one.said)));
+    const MarkerFile file = read_text(file_of(named("A") + text(std::string{"Quantity: "} + one.said)));
     std::size_t flipped = 0;
     for (const Piece& piece : file.marker.pieces) flipped += piece.orientation.flip ? 1 : 0;
     EXPECT_EQ(file.marker.pieces.size(), one.right + one.left) << one.said;
@@ -94,7 +94,7 @@ TEST(QuantityText, IsKnownInItsSpellings) {
 
 TEST(QuantityText, WhatIsNotUnderstoodIsOneWithANote) {
   for (const char* said : {"-1", "many", "1.5", "L1 L2", "10001"}) {
-    const MarkerFile file = read(file_of(named("A") + text(std::string{"Quantity: "} + said)));
+    const MarkerFile file = read_text(file_of(named("A") + text(std::string{"Quantity: "} + said)));
     EXPECT_EQ(file.marker.pieces.size(), 1U) << said;
     EXPECT_TRUE(has_note(file, "is not understood: 1")) << said;
   }
@@ -129,7 +129,7 @@ TEST(Encodings, AccentedLettersAreNotTakenForChineseCharacters) {
 
 TEST(Encodings, TheStatedCodePageCounts) {
   const std::string header = tag(9, "$DWGCODEPAGE") + tag(3, "ANSI_1251");
-  const MarkerFile file = read(file_of(named("\xcf\xe5\xf0\xe5\xe4"), text("Units: METRIC"), header));
+  const MarkerFile file = read_text(file_of(named("\xcf\xe5\xf0\xe5\xe4"), text("Units: METRIC"), header));
   EXPECT_EQ(file.marker.shapes.front().id, "Перед");
   EXPECT_TRUE(has_note(file, "texts are read as Windows-1251"));
 }
@@ -137,7 +137,7 @@ TEST(Encodings, TheStatedCodePageCounts) {
 TEST(Gaps, OfAMillimetreAreClosedBetweenAnyRuns) {
   const std::string runs = polyline({{0, 0}, {300, 0}}, false) + polyline({{119.5, 260}, {0, 200}, {0, 0.4}}, false) +
                            polyline({{120, 260}, {300, 200}, {300, 0.6}}, false);
-  const MarkerFile file = read(file_of(named("A", runs)));
+  const MarkerFile file = read_text(file_of(named("A", runs)));
   EXPECT_NEAR(extent_of(file, "A").x, 300, 1e-6);
   EXPECT_NEAR(extent_of(file, "A").y, 260, 1e-6);
   EXPECT_EQ(file.marker.shapes.front().outline.size(), 6U) << "both ends of a gap remain, but for those on an edge";
@@ -148,7 +148,7 @@ TEST(Gaps, AClosedLineInAnOutlineWithAGapIsNotThePiece) {
   const std::string small = polyline({{50, 50}, {60, 50}, {60, 60}, {50, 60}}, true);
   Corners open = kOutline;
   open.emplace_back(0, 0.5);
-  EXPECT_NEAR(extent_of(read(file_of(named("A", small + polyline(open, false)))), "A").x, 300, 1e-6);
+  EXPECT_NEAR(extent_of(read_text(file_of(named("A", small + polyline(open, false)))), "A").x, 300, 1e-6);
   open.back() = {0, 50};
   const auto wide = read_file(file_of(named("A", small + polyline(open, false))));
   ASSERT_FALSE(wide);
@@ -158,21 +158,21 @@ TEST(Gaps, AClosedLineInAnOutlineWithAGapIsNotThePiece) {
 TEST(Gaps, VerticesThatRoundingHasMovedPastEachOtherAreOne) {
   Corners twice;
   for (const auto& [x, y] : kOutline) twice.insert(twice.end(), {{x, y}, {x + 0.001, y}});
-  const MarkerFile file = read(file_of(named("A", polyline(twice, true))));
+  const MarkerFile file = read_text(file_of(named("A", polyline(twice, true))));
   EXPECT_EQ(file.marker.shapes.front().outline.size(), 5U);
   EXPECT_TRUE(has_note(file, "5 vertices within 0.01 mm of the one before left out"));
 }
 
 TEST(Inserts, ABlockThatIsInsertedTwiceIsNoted) {
   const std::string again = tag(0, "INSERT") + tag(2, "B") + spot(500, 0);
-  const MarkerFile file = read(file_of(named("A"), again + text("Units: METRIC")));
+  const MarkerFile file = read_text(file_of(named("A"), again + text("Units: METRIC")));
   EXPECT_EQ(pieces_of(file, "A"), 1U);
   EXPECT_TRUE(has_note(file, "inserted 2 times; its quantity counts"));
 }
 
 TEST(Boundary, ASplineWithoutControlPointsIsNoted) {
   const std::string spline = tag(0, "SPLINE") + tag(8, "1") + tag(71, "3") + spot(0, 0, 11) + spot(50, 50, 11);
-  EXPECT_TRUE(has_note(read(file_of(named("A") + spline)), "SPLINE on layer 1 is not read"));
+  EXPECT_TRUE(has_note(read_text(file_of(named("A") + spline)), "SPLINE on layer 1 is not read"));
 }
 
 // A side from (0, 0) to (300, 100) whose upper end moves: a notch in its middle moves half as far.
@@ -184,7 +184,7 @@ TEST(Grading, ANotchBetweenTwoVerticesStaysOnItsEdge) {
   options.rules =
       "; a comment\r\nUNITS: METRIC\r\nSIZE LIST: S M\r\nSAMPLE SIZE: S\r\n* another\r\nRULE: DELTA 1\r\n0,0 0,0\r\n"
       "# a third\r\nRULE: DELTA 2\r\n0,0 40,20\r\nEND\r\n";
-  const MarkerFile file = read(file_of(block + text("Size: S")), options);
+  const MarkerFile file = read_text(file_of(block + text("Size: S")), options);
   for (std::size_t k = 0; k < file.marker.shapes.size(); ++k) {
     const auto notches = protocol::document::annotations_of(file.attributes.shapes[k]).notches;
     ASSERT_EQ(notches.size(), 1U);

@@ -16,6 +16,7 @@ namespace {
 
 using protocol::files::FileFormat;
 using protocol::files::FileKind;
+using test::area_of;
 using test::read_example;
 
 MarkerFile plot(const std::string& text) {
@@ -25,10 +26,6 @@ MarkerFile plot(const std::string& text) {
 }
 double length(const MarkerFile& file) {
   return to_decimal(length_of(file.marker), file.marker.resolution);
-}
-double area_of(const MarkerFile& file, std::size_t shape) {
-  const double unit = to_decimal(1, file.marker.resolution);
-  return static_cast<double>(geometry::doubled_area(file.marker.shapes[shape].outline)) / 2 * unit * unit;
 }
 
 TEST(HpglIn, PiecesLieInTheFrameAndHaveTheirLabelsAsNames) {

@@ -18,7 +18,7 @@ using protocol::files::read_file;
 using protocol::trade::ReadingOptions;
 using test::area_of;
 using test::extent_of;
-using test::read;
+using test::read_text;
 
 TEST(PlainDxf, ClosedOutlinesOfAnyLayerArePieces) {
   const std::string text =
@@ -29,7 +29,7 @@ TEST(PlainDxf, ClosedOutlinesOfAnyLayerArePieces) {
       "0\nENDSEC\n0\nEOF\n";
   ReadingOptions plain;
   plain.plain = true;
-  const MarkerFile file = read(text, plain);
+  const MarkerFile file = read_text(text, plain);
   ASSERT_EQ(file.marker.shapes.size(), 2U);
   EXPECT_NEAR(extent_of(file, "piece 1").x, 250, 0.06);  // a half circle of radius 50 at its end
   EXPECT_GE(area_of(file, 0), 200 * 100 + 3.14159265 * 50 * 50 / 2);
@@ -85,21 +85,22 @@ std::string dxf_with_blocks(const std::string& entities) {
 TEST(PlainDxf, BlocksInsertBlocksAndArrays) {
   ReadingOptions plain;
   plain.plain = true;
-  const MarkerFile nested = read(dxf_with_blocks("0\nINSERT\n2\nB\n10\n0\n20\n0\n50\n90\n"), plain);
+  const MarkerFile nested = read_text(dxf_with_blocks("0\nINSERT\n2\nB\n10\n0\n20\n0\n50\n90\n"), plain);
   ASSERT_EQ(nested.marker.shapes.size(), 2U);
   EXPECT_NEAR(area_of(nested, 0), 2500, 1e-6);
   EXPECT_NEAR(extent_of(nested, "piece 1").x, 50, 1e-6) << "turned by a quarter";
   const MarkerFile array =
-      read(dxf_with_blocks("0\nINSERT\n2\nA\n10\n0\n20\n0\n70\n3\n71\n2\n44\n400\n45\n300\n"), plain);
+      read_text(dxf_with_blocks("0\nINSERT\n2\nA\n10\n0\n20\n0\n70\n3\n71\n2\n44\n400\n45\n300\n"), plain);
   EXPECT_EQ(array.marker.pieces.size(), 6U);
 }
 
 TEST(PlainDxf, WhatIsNotReadIsNoted) {
   ReadingOptions plain;
   plain.plain = true;
-  const MarkerFile file = read(dxf_with_blocks("0\nINSERT\n2\nA\n10\n0\n20\n0\n0\nINSERT\n2\nZ\n0\nTEXT\n1\nhello\n"
-                                               "0\nLINE\n10\n900\n20\n0\n11\n990\n21\n0\n"),
-                               plain);
+  const MarkerFile file =
+      read_text(dxf_with_blocks("0\nINSERT\n2\nA\n10\n0\n20\n0\n0\nINSERT\n2\nZ\n0\nTEXT\n1\nhello\n"
+                                "0\nLINE\n10\n900\n20\n0\n11\n990\n21\n0\n"),
+                plain);
   EXPECT_TRUE(test::has_note(file, "INSERT of block \"Z\", which is not in the file"));
   EXPECT_TRUE(test::has_note(file, "TEXT is not read"));
   EXPECT_TRUE(test::has_note(file, "an open line outside of all pieces left out"));
@@ -119,8 +120,8 @@ TEST(PlainDxf, WhatIsSeenFromBehindIsMirrored) {
   ReadingOptions plain;
   plain.plain = true;
   const std::string corner = "0\nLWPOLYLINE\n70\n1\n10\n0\n20\n0\n10\n100\n20\n0\n10\n0\n20\n50\n";
-  const MarkerFile front = read(dxf_with_blocks(corner), plain),
-                   behind = read(dxf_with_blocks(corner + "230\n-1\n"), plain);
+  const MarkerFile front = read_text(dxf_with_blocks(corner), plain),
+                   behind = read_text(dxf_with_blocks(corner + "230\n-1\n"), plain);
   const auto at_left = [](const MarkerFile& file) {
     const Polygon& outline = file.marker.shapes.front().outline;
     const Box box = box_of(outline);
@@ -149,7 +150,7 @@ TEST(PlainDxf, SplinesThatBulgeOutwardsAreHeld) {
     ReadingOptions options;
     options.tolerance = 1;
     options.plain = true;
-    const double area = area_of(read(text, options), 0);
+    const double area = area_of(read_text(text, options), 0);
     const double exact = area_below(spline);
     EXPECT_GE(area, exact - 0.01) << spline.degree << ", " << spline.controls.size();
     EXPECT_LE(area, exact + 1'000) << spline.degree << ", " << spline.controls.size();

@@ -15,7 +15,7 @@ namespace {
 
 using test::Layout;
 
-Compaction compacted(const Marker& marker, bool sweeps = true) {
+Compaction escaped(const Marker& marker, bool sweeps = true) {
   EXPECT_TRUE(is_valid(marker));
   SumCache sums;
   CompactionSettings settings = compaction_settings(Accuracy::kStandard);
@@ -42,10 +42,10 @@ Marker diamonds(int columns, int rows, Coord width) {
 
 TEST(Escape, DiamondsCornerToCornerInterlock) {
   const Marker roomy = diamonds(4, 2, 260'000);
-  EXPECT_LE(compacted(roomy).length_after, 240'010);
+  EXPECT_LE(escaped(roomy).length_after, 240'010);
   const Marker full = diamonds(8, 4, 400'000);
-  EXPECT_LE(compacted(full).length_after, swept(full));
-  EXPECT_LT(compacted(full).length_after, 700'000);
+  EXPECT_LE(escaped(full).length_after, swept(full));
+  EXPECT_LT(escaped(full).length_after, 700'000);
 }
 
 // The wedge's tip lies on the common corner of two blocks.  It can only advance while the upper block rises, which no
@@ -56,7 +56,7 @@ TEST(Escape, AWedgeEntersWhereTwoCornersMeet) {
   const auto block = layout.shape_of(test::rectangle(100'000, 150'000));
   layout.put(block, {0, 0}).put(block, {0, 150'000}).put(wedge, {200'000, 200'000}, 180);
   EXPECT_EQ(swept(layout.marker()), 200'000);
-  EXPECT_LE(compacted(layout.marker(), false).length_after, 196'010);
+  EXPECT_LE(escaped(layout.marker(), false).length_after, 196'010);
 }
 
 // A wheel with square teeth that meets another beyond a tooth's flank: the flank's line passes through free space.
@@ -77,7 +77,7 @@ TEST(Escape, NothingHoldsAGearInFreeSpace) {
     const auto wheel = layout.shape_of(gear(24, 100'000, 8'000));
     layout.put(wheel, {100'000, 120'000}).put(wheel, {310'000 + 2'000 * step, 330'000 + 7'000 * step});
     const Marker marker = layout.marker();
-    EXPECT_LE(compacted(marker).length_after, swept(marker) + 100) << step;
+    EXPECT_LE(escaped(marker).length_after, swept(marker) + 100) << step;
   }
 }
 
@@ -85,7 +85,7 @@ TEST(Escape, IsNeverLongerThanSweepsOfFewPieces) {
   for (std::uint32_t seed = 1; seed <= 30; ++seed) {
     const Marker marker = test::loose_marker(seed);
     ASSERT_LE(marker.pieces.size(), kFewPieces);
-    EXPECT_LE(compacted(marker).length_after, swept(marker)) << seed;
+    EXPECT_LE(escaped(marker).length_after, swept(marker)) << seed;
   }
 }
 

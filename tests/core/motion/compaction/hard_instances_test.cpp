@@ -13,7 +13,7 @@
 namespace selvage::motion::compaction {
 namespace {
 
-Compaction compacted(const Marker& marker) {
+Compaction compacted_finely(const Marker& marker) {
   EXPECT_TRUE(is_valid(marker));
   CompactionSettings settings = compaction_settings(Accuracy::kFine);
   settings.rounds = 2000;
@@ -38,7 +38,7 @@ double units(Coord length) {
 class Partition : public testing::TestWithParam<std::vector<int>> {};
 TEST_P(Partition, EndsBetweenHalfTheSumAndTheWhole) {
   const int sum = std::accumulate(GetParam().begin(), GetParam().end(), 0);
-  const Compaction result = compacted(test::partition(GetParam()));
+  const Compaction result = compacted_finely(test::partition(GetParam()));
   testing::Test::RecordProperty("length", std::to_string(units(result.length_after)));
   EXPECT_GE(units(result.length_after), sum / 2.0 - 1e-9);
   EXPECT_LE(units(result.length_after), sum);
@@ -53,7 +53,7 @@ TEST_P(Bars, HoldTheUShapesWhereTheyAre) {  // no way out that only ever shorten
   const int n = GetParam();
   const Marker marker = test::u_shapes_and_bars(n);
   EXPECT_DOUBLE_EQ(units(length_of(marker)), 6 * n + 2);
-  const Compaction result = compacted(marker);
+  const Compaction result = compacted_finely(marker);
   EXPECT_GT(units(result.length_after), 4 * n + 2);
 }
 INSTANTIATE_TEST_SUITE_P(HardInstances, Bars, testing::Values(2, 3, 4, 6));
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(HardInstances, Bars, testing::Values(2, 3, 4, 6));
 class Propagation : public testing::TestWithParam<std::tuple<int, int>> {};
 TEST_P(Propagation, ReachesTheEndInMoreThanKToTheNRounds) {
   const auto [n, k] = GetParam();
-  const Compaction result = compacted(test::motion_propagation(n, k));
+  const Compaction result = compacted_finely(test::motion_propagation(n, k));
   const double theory = std::pow(k, n);
   const double shortened = units(result.length_before - result.length_after);
   testing::Test::RecordProperty("k_to_the_n", static_cast<int>(theory));

@@ -14,7 +14,7 @@ namespace {
 
 using test::Layout;
 
-const CompactionSettings kStandard = compaction_settings(Accuracy::kStandard);
+const CompactionSettings kSettings = compaction_settings(Accuracy::kStandard);
 constexpr marker::UnoccupiedSettings kEverything{0, 0};
 constexpr Coord k1 = 10'000;  // lattice units
 
@@ -25,7 +25,7 @@ double area_in_k1(const marker::UnoccupiedRegion& region) {
 // Opens a gap and checks what must hold for every opening.
 OpenedGap opened(const Marker& marker, const GapChoice& choice, const marker::UnoccupiedSettings& regions) {
   SumCache sums;
-  const auto result = open_gap(marker, choice, kStandard, regions, {sums});
+  const auto result = open_gap(marker, choice, kSettings, regions, {sums});
   EXPECT_TRUE(result) << result.error().message;
   EXPECT_TRUE(is_valid(result->marker));
   EXPECT_LE(result->length_after, result->length_before);
@@ -65,7 +65,7 @@ TEST(OpenGap, LocksHold) {
 }
 
 TEST(OpenGap, AlsoEndsWithoutAMinimumGain) {
-  CompactionSettings settings = kStandard;
+  CompactionSettings settings = kSettings;
   settings.least_gain = 0;
   SumCache sums;
   const auto result = open_gap(walls(false).marker(), AwayFromOutline{1}, settings, kEverything, {sums});
@@ -92,10 +92,10 @@ TEST(OpenGap, MovesNothingWhereNothingCanOpen) {  // a frame of bricks without s
 TEST(OpenGap, RefusesPointsThatAreNotInAGap) {
   SumCache sums;
   const Marker marker = walls(false).marker();
-  EXPECT_EQ(open_gap(marker, AwayFromPoint{{250 * k1, 500 * k1}}, kStandard, kEverything, {sums}).error().field,
+  EXPECT_EQ(open_gap(marker, AwayFromPoint{{250 * k1, 500 * k1}}, kSettings, kEverything, {sums}).error().field,
             "/point");
-  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, {sums}).error().field, "/region");
-  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kStandard, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kSettings, kEverything, {sums}).error().field, "/region");
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{3}, kSettings, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
 // Repair closes the slit before the second wall, so the list of regions becomes shorter.
@@ -110,7 +110,7 @@ TEST(OpenGap, RegionsAreNumberedAsInTheInput) {
   EXPECT_EQ(gap.repair.pairs, 1U);
   EXPECT_NEAR(area_in_k1(gap.before), 600 * 1000, 1);
   SumCache sums;
-  EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kStandard, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(open_gap(marker, AwayFromOutline{0}, kSettings, kEverything, {sums}).error().code, ErrorCode::kOutOfRange);
 }
 
 TEST(OpenGap, ReportsThatItWasCancelledBeforeItFoundTheGap) {
@@ -118,7 +118,7 @@ TEST(OpenGap, ReportsThatItWasCancelledBeforeItFoundTheGap) {
   std::stop_source source;
   source.request_stop();
   for (const GapChoice& choice : {GapChoice{AwayFromPoint{{150 * k1, 500 * k1}}}, GapChoice{AwayFromOutline{1}}}) {
-    const auto result = open_gap(walls(false).marker(), choice, kStandard, kEverything, {sums, source.get_token()});
+    const auto result = open_gap(walls(false).marker(), choice, kSettings, kEverything, {sums, source.get_token()});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kStoppedEarly);
   }
@@ -131,7 +131,7 @@ TEST(OpenGap, CanBeCancelled) {
   observer.on_program = [&](const lp::LinearProgram&) { source.request_stop(); };
   const Marker marker = walls(false).marker();
   const auto result =
-      open_gap(marker, AwayFromOutline{1}, kStandard, kEverything, {sums, source.get_token(), observer});
+      open_gap(marker, AwayFromOutline{1}, kSettings, kEverything, {sums, source.get_token(), observer});
   ASSERT_TRUE(result);
   EXPECT_EQ(result->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(result->marker, marker);

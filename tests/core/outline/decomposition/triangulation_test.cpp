@@ -10,7 +10,7 @@
 namespace selvage::test {
 namespace {
 
-void expect_partition(const Polygon& polygon) {
+void expect_triangle_partition(const Polygon& polygon) {
   const auto triangles = outline::decomposition::triangulate(polygon);
   ASSERT_EQ(triangles.size(), polygon.size() - 2) << text_of(polygon);
   Wide total = 0;
@@ -35,7 +35,7 @@ void expect_partition(const Polygon& polygon) {
 TEST(Triangulation, PartitionsRandomPolygons) {
   Random random{61};
   for (int trial = 0; trial < 3000 / kSlowdown; ++trial) {
-    expect_partition(random_polygon(random, random.chance(50) ? 10 : 1'000'000));
+    expect_triangle_partition(random_polygon(random, random.chance(50) ? 10 : 1'000'000));
     if (HasFatalFailure()) return;
   }
 }
@@ -43,11 +43,11 @@ TEST(Triangulation, PartitionsRandomPolygons) {
 TEST(Triangulation, PartitionsDifficultPolygons) {
   Random random{62};
   for (int trial = 0; trial < 200 / kSlowdown; ++trial) {
-    expect_partition(random_comb(random, 30, 300, trial % 2 == 0));
-    expect_partition(spiral(static_cast<std::size_t>(random.between(9, 60)), 2000));
-    expect_partition(random_needle(random, kLatticeLimit / 2));
-    expect_partition(random_simple(random, 60, 40));
-    expect_partition(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
+    expect_triangle_partition(random_comb(random, 30, 300, trial % 2 == 0));
+    expect_triangle_partition(spiral(static_cast<std::size_t>(random.between(9, 60)), 2000));
+    expect_triangle_partition(random_needle(random, kLatticeLimit / 2));
+    expect_triangle_partition(random_simple(random, 60, 40));
+    expect_triangle_partition(broken_ring(random.between(40, 90), random.between(1, 9), random.between(1, 9)));
     if (HasFatalFailure()) return;
   }
 }
@@ -59,13 +59,13 @@ TEST(Triangulation, IsExactOnNearlyFlatChains) {
   for (Coord k = -9; k <= 9; ++k) sag.push_back({k * (far / 10), k % 2 == 0 ? 0 : 1});
   const auto clean = clean_polygon(sag);
   ASSERT_TRUE(clean);
-  expect_partition(clean->polygon);
+  expect_triangle_partition(clean->polygon);
 }
 
 TEST(Triangulation, PartitionsLargePolygons) {
   Random random{63};
-  expect_partition(random_star(random, geometry::kMaxVertices, kLatticeLimit / 2));
-  expect_partition(spiral(geometry::kMaxVertices / 2 - 1, kLatticeLimit / 4));
+  expect_triangle_partition(random_star(random, geometry::kMaxVertices, kLatticeLimit / 2));
+  expect_triangle_partition(spiral(geometry::kMaxVertices / 2 - 1, kLatticeLimit / 4));
 }
 
 }  // namespace
