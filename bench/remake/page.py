@@ -17,7 +17,8 @@ import subprocess
 
 import made
 
-ORDERS, BATCH, REFINED = 50, 3, 3  # of a row; of a batch; how many of each garment's are also refined
+ORDERS, BATCH = 50, 3  # of a row; of a batch
+REFINED, REFINED_MIXES = 3, 12  # how many of each garment's orders are also refined, and of those of other size mixes
 GARMENTS = ("jeans_06g", "simon_06g", "charlie_04g")
 SPREAD = ("jeans_06g", "simon_06g", "charlie_04g", "jeans_02g", *(f"charlie_04g-mix-{seed}" for seed in made.MIXES),
           *(f"{garment}-mix-{seed}" for seed in made.SPREAD_MIXES for garment in GARMENTS))
@@ -55,7 +56,7 @@ class Results:
         options, first = self.options, len(self.orders[garment]) + 1
         words = [options.programs / "remake_orders", "--change", self.change, "--part", self.part, "--first", first,
                  "--tries", self.tries, "--count", 1 if self.change == "larger" else BATCH]
-        if first <= REFINED:
+        if first <= (REFINED_MIXES if self.change == "mixed" else REFINED):
             words.append("--fine")
         added = made.run(*words, *made.order_source(options, garment, self.change))
         self.path(garment).parent.mkdir(parents=True, exist_ok=True)
@@ -151,16 +152,18 @@ def mixes(options):
     lines, behind = [], []
     for order in kept:
         nested = made.mix_from_nothing(options, order["seed"])
-        if not nested or not order["made"]:
+        if not nested or "fine" not in order:
             continue
-        behind.append(100 * (nested["utilisation"] - order["utilisation"]))
-        lines.append((order["seed"], f"{100 * order['utilisation']:.2f} %", f"{order['seconds']:.2f}",
-                      f"{100 * nested['utilisation']:.2f} %", f"{nested['seconds']:.1f}"))
+        behind.append([100 * (nested["utilisation"] - order[when]) for when in ("utilisation", "fine")])
+        lines.append((order["seed"], f"{100 * order['utilisation']:.2f} %", f"{order['seconds']:.2f}", f"{100 * order['fine']:.2f} %",
+                      f"{order['fine_seconds']:.2f}", f"{100 * nested['utilisation']:.2f} %", f"{nested['seconds']:.1f}"))
     if not lines:
         return ""
-    near = sum(one <= 1 for one in behind)
-    summary = f"\nRemade less nested, median: {-statistics.median(behind):.2f} points; within a point or better: {near} of {len(behind)}.\n"
-    return table(("order", "remade", "s", "nested from nothing", "s"), lines) + summary
+    medians = [statistics.median(points) for points in zip(*behind)]
+    near = [sum(point <= 1 for point in points) for points in zip(*behind)]
+    summary = (f"\nRemade less nested, median: {-medians[0]:.2f} points, after `fine` {-medians[1]:.2f}; within a point or better: "
+               f"{near[0]} and {near[1]} of {len(behind)}.\n")
+    return table(("order", "remade", "s", "after `fine`", "s", "nested from nothing", "s"), lines) + summary
 
 
 def main():

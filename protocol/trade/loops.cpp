@@ -163,11 +163,13 @@ std::vector<Spot> without_repeats(const std::vector<Spot>& points, std::size_t& 
 }
 
 bool contains(const std::vector<Spot>& outline, Spot point) {
+  if (outline.empty()) return false;
   bool inside = false;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Spot a = outline[k], b = outline[(k + 1) % outline.size()];
-    if ((a.y > point.y) == (b.y > point.y)) continue;
-    if (point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  Spot a = outline.back();
+  for (const Spot b : outline) {
+    if ((a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x))
+      inside = !inside;
+    a = b;
   }
   return inside;
 }
@@ -206,9 +208,11 @@ NestedLoop* around_of(std::vector<NestedLoop>& outer, const std::vector<Spot>& p
       return p.x >= one.low.x && p.x <= one.high.x && p.y >= one.low.y && p.y <= one.high.y;
     };
     if (!in_box(first) && !in_box(last) && !in_box(middle)) return false;
-    std::size_t inside = 0;
-    for (std::size_t k = 0; k < count; ++k)
-      inside += contains(one.loop.points, points[k * points.size() / count]) ? 1 : 0;
+    std::size_t inside = 0, outside = 0;
+    while (2 * inside <= count && 2 * outside < count) {
+      const Spot point = points[(inside + outside) * points.size() / count];
+      ++(in_box(point) && contains(one.loop.points, point) ? inside : outside);
+    }
     return 2 * inside > count;
   });
   return found == outer.end() ? nullptr : &*found;
