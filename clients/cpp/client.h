@@ -36,7 +36,8 @@ struct Settings {
 struct Handlers {
   // A notification of the daemon: "marker.changed", "marker.closed" or "$/progress".
   std::function<void(std::string_view method, const Json& params)> notified{};
-  // The connection broke and was restored.  Notifications may have been missed in between.
+  // The connection broke and was restored, and the daemon again reports changes of every watched marker.  Notifications
+  // may have been missed in between.
   std::function<void()> reconnected{};
   // The connection broke or could not be established, and the client has stopped trying.  The next call tries again.
   std::function<void(const CallError&)> lost{};

@@ -87,11 +87,10 @@ void Conversation::attempt() {
 
 void Conversation::connected() {
   state_ = State::kOpen;
-  reconnected_ = std::exchange(was_connected_, true);
+  reconnecting_ = std::exchange(was_connected_, true);
   if (!settings_.token.empty()) connection_->send(internal_request(kAuthId, "auth", {{"token", settings_.token}}));
-  refused_watches_.clear();
   refused_calls_.clear();
-  for (const std::string& marker : watched_) send_watch(marker);
+  for (const auto& [marker, watch] : watched_) send_watch(marker);
   for (auto& [id, call] : open_) send(call);
 }
 
@@ -101,15 +100,25 @@ void Conversation::send(OpenCall& call) {
 }
 
 void Conversation::receive(const std::string& line) {
-  // The first line shows that the daemon is back.  A daemon that is still starting may accept a connection and drop it.
-  if (!std::exchange(received_any_, true) && reconnected_ && handlers_.reconnected) handlers_.reconnected();
+  received_any_ = true;
+  report_reconnection();
   const Json message = Json::parse(line, nullptr, false);
   if (!message.is_object()) return;
   if (message.contains("method")) {
     receive_notification(message);
   } else if (message.contains("id")) {
     receive_answer(message);
+    report_reconnection();
   }
+}
+
+// A line shows that the daemon is back: one that is still starting may accept a connection and drop it.  But changes
+// could be missed until all watches hold.
+void Conversation::report_reconnection() {
+  const auto holds = [](const auto& watched) { return watched.second == Watch::kHeld; };
+  if (!reconnecting_ || state_ != State::kOpen || !std::ranges::all_of(watched_, holds)) return;
+  reconnecting_ = false;
+  if (handlers_.reconnected) handlers_.reconnected();
 }
 
 void Conversation::receive_answer(const Json& message) {
@@ -120,18 +129,29 @@ void Conversation::receive_answer(const Json& message) {
     const bool refused = !received && received.error().code == CallCode::kBusy && Clock::now() < try_until_;
     return refused ? call_later(call) : answer(call, std::move(received));
   }
+  if (const std::string own = id.is_string() ? id.get<std::string>() : ""; own.starts_with(kWatchId))
+    return receive_watch(own.substr(kWatchId.size()), received);
   if (received) return;
   if (id == kAuthId) {
     connection_->close();
     return give_up(received.error());
   }
-  if (const std::string own = id.is_string() ? id.get<std::string>() : ""; own.starts_with(kWatchId)) {
-    const std::string marker = own.substr(kWatchId.size());
-    return received.error().code == CallCode::kBusy ? watch_later(marker) : report_closed(marker);
-  }
   // The daemon answers with a null id when it rejects a call unread because it is too long.  That must be the longest
   // of the calls that were sent.
   if (const auto longest = id.is_null() ? longest_sent() : std::nullopt) answer(*longest, std::move(received));
+}
+
+void Conversation::receive_watch(const std::string& marker, const Answer& received) {
+  const auto watched = watched_.find(marker);
+  if (watched == watched_.end()) return;
+  if (received) {
+    watched->second = Watch::kHeld;
+  } else if (received.error().code == CallCode::kBusy) {
+    watched->second = Watch::kRefused;
+    retry_later();
+  } else {
+    report_closed(marker);
+  }
 }
 
 void Conversation::receive_notification(const Json& message) {
@@ -153,17 +173,12 @@ void Conversation::call_later(CallId id) {
   retry_later();
 }
 
-void Conversation::watch_later(const std::string& marker) {
-  refused_watches_.insert(marker);
-  retry_later();
-}
-
 void Conversation::retry_later() {
   retry_timer_.expires_after(kFirstPause);
   retry_timer_.async_wait([this](const boost::system::error_code& error) {
     if (error || state_ != State::kOpen) return;
-    for (const std::string& marker : std::exchange(refused_watches_, {})) {
-      if (watched_.contains(marker)) send_watch(marker);
+    for (const auto& [marker, watch] : watched_) {
+      if (watch == Watch::kRefused) send_watch(marker);
     }
     for (const CallId id : std::exchange(refused_calls_, {})) {
       if (const auto found = open_.find(id); found != open_.end()) send(found->second);
@@ -172,12 +187,14 @@ void Conversation::retry_later() {
 }
 
 void Conversation::send_watch(const std::string& marker) {
+  watched_[marker] = Watch::kAsked;
   connection_->send(internal_request(std::string{kWatchId} + marker, "marker.watch", {{"markerId", marker}}));
 }
 
 // The daemon restarted without its markers, so a marker that was watched no longer exists.
 void Conversation::report_closed(const std::string& marker) {
   watched_.erase(marker);
+  report_reconnection();
   if (handlers_.notified) handlers_.notified("marker.closed", {{"markerId", marker}});
 }
 
@@ -190,7 +207,7 @@ std::optional<CallId> Conversation::longest_sent() const {
 }
 
 void Conversation::update_watched(const OpenCall& call) {
-  if (call.method == "marker.watch") watched_.insert(call.marker);
+  if (call.method == "marker.watch") watched_[call.marker] = Watch::kHeld;
   if (call.method == "marker.unwatch") watched_.erase(call.marker);
 }
 

@@ -45,19 +45,23 @@ class Conversation {
 
  private:
   enum class State { kIdle, kConnecting, kOpen, kEnded };
+  // A watch on the current connection.  A daemon that is busy, for instance with loading its markers, refuses it, and
+  // is asked again.
+  enum class Watch { kAsked, kRefused, kHeld };
 
   void start_trying();
   void attempt();
   void connected();
   void send(OpenCall& call);
   void receive(const std::string& line);
+  void report_reconnection();
   void receive_answer(const Json& message);
+  void receive_watch(const std::string& marker, const Answer& received);
   void receive_notification(const Json& message);
   void report_closed(const std::string& marker);
   void update_watched(const OpenCall& call);
   void send_watch(const std::string& marker);
   void call_later(CallId id);
-  void watch_later(const std::string& marker);
   void retry_later();
   void handle_disconnect(const std::string& why);
   void handle_failure(const std::string& why);
@@ -72,7 +76,7 @@ class Conversation {
   Handlers handlers_;
   State state_{State::kIdle};
   bool was_connected_{};    // at any earlier time
-  bool reconnected_{};      // the current connection is not the first one
+  bool reconnecting_{};     // the current connection is not the first one, and it has not been reported yet
   bool received_any_{};     // the daemon has sent something on the current connection
   bool last_was_silent_{};  // the previous connection ended before the daemon sent anything
   std::shared_ptr<Connection> connection_;
@@ -80,10 +84,8 @@ class Conversation {
   std::chrono::steady_clock::time_point try_until_;
   std::chrono::milliseconds next_pause_{};
   std::map<CallId, OpenCall> open_;
-  std::set<std::string> watched_;
-  // What the daemon refused because it was busy, for instance while it was loading its markers, and is asked again:
-  // markers to watch, and calls that began while the daemon was being looked for.
-  std::set<std::string> refused_watches_;
+  std::map<std::string, Watch> watched_;  // by the marker's id
+  // Calls that began while the daemon was being looked for, and that a busy daemon refused; they are sent again.
   std::set<CallId> refused_calls_;
 };
 

@@ -7,6 +7,9 @@
 #include <boost/asio/read_until.hpp>
 #include <boost/asio/write.hpp>
 
+#include <atomic>
+#include <chrono>
+#include <future>
 #include <optional>
 
 #include "tests/clients/cpp/live_daemon.h"
@@ -105,6 +108,31 @@ TEST(BrokenConnection, WatchesAreRestored) {
   const Json again = server.receive();
   EXPECT_EQ(again["method"], "marker.watch");
   EXPECT_EQ(again["params"]["markerId"], "m7");
+}
+
+// A change between reading the marker anew and the watch would be missed.
+TEST(BrokenConnection, IsReportedAsRestoredOnceALoadingDaemonAcceptsTheWatches) {
+  StagedServer server;
+  std::atomic<bool> reported{};
+  std::promise<void> restored;
+  Handlers handlers;
+  handlers.reconnected = [&] {
+    reported = true;
+    restored.set_value();
+  };
+  Client client{server.address(), {}, handlers};
+  Call watch = client.begin("marker.watch", {{"markerId", "m7"}});
+  server.accept();
+  server.answer(server.receive()["id"], {{"watching", true}});
+  ASSERT_TRUE(watch.answer.get());
+  server.disconnect();
+  server.accept();
+  server.refuse(server.receive()["id"]);
+  const Json again = server.receive();
+  EXPECT_EQ(again["method"], "marker.watch");
+  EXPECT_FALSE(reported);
+  server.answer(again["id"], {{"watching", true}});
+  EXPECT_EQ(restored.get_future().wait_for(std::chrono::seconds{30}), std::future_status::ready);
 }
 
 TEST(BrokenConnection, ACallThatALoadingDaemonRefusesIsSentAgain) {
