@@ -96,21 +96,27 @@ TEST(BrokenConnection, ACallThatMustNotBeRepeatedIsNotSentAgain) {
   EXPECT_TRUE(info.answer.get());
 }
 
-TEST(BrokenConnection, WatchesAreRestored) {
-  StagedServer server;
-  Client client{server.address()};
+// The client watches m7, and then connects again.
+void watch_and_reconnect(StagedServer& server, Client& client) {
   Call watch = client.begin("marker.watch", {{"markerId", "m7"}});
   server.accept();
   server.answer(server.receive()["id"], {{"watching", true}});
   ASSERT_TRUE(watch.answer.get());
   server.disconnect();
   server.accept();
+}
+
+TEST(BrokenConnection, WatchesAreRestored) {
+  StagedServer server;
+  Client client{server.address()};
+  ASSERT_NO_FATAL_FAILURE(watch_and_reconnect(server, client));
   const Json again = server.receive();
   EXPECT_EQ(again["method"], "marker.watch");
   EXPECT_EQ(again["params"]["markerId"], "m7");
 }
 
-// A change between reading the marker anew and the watch would be missed.
+// Once the connection is reported as restored, the caller reads the marker again.  A change between that and the watch
+// would be missed.
 TEST(BrokenConnection, IsReportedAsRestoredOnceALoadingDaemonAcceptsTheWatches) {
   StagedServer server;
   std::atomic<bool> reported{};
@@ -121,12 +127,7 @@ TEST(BrokenConnection, IsReportedAsRestoredOnceALoadingDaemonAcceptsTheWatches) 
     restored.set_value();
   };
   Client client{server.address(), {}, handlers};
-  Call watch = client.begin("marker.watch", {{"markerId", "m7"}});
-  server.accept();
-  server.answer(server.receive()["id"], {{"watching", true}});
-  ASSERT_TRUE(watch.answer.get());
-  server.disconnect();
-  server.accept();
+  ASSERT_NO_FATAL_FAILURE(watch_and_reconnect(server, client));
   server.refuse(server.receive()["id"]);
   const Json again = server.receive();
   EXPECT_EQ(again["method"], "marker.watch");
