@@ -44,7 +44,7 @@ void DepthMap::sample() {
   first_row_ = static_cast<int>(std::floor(low_y_ / pixel)) - 1;
   columns_ = static_cast<int>(std::ceil(high_x_ / pixel)) + 2 - first_column_;
   rows_ = static_cast<int>(std::ceil(high_y_ / pixel)) + 2 - first_row_;
-  samples_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kOutside);
+  samples_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 2 * kLanes, kOutside);
   for (int row = 0; row < rows_; ++row) mark_inside(row);
   Boundary near;
   std::vector<float> squared;
@@ -115,20 +115,18 @@ DepthMap::Grid DepthMap::transposed() {
     const auto rows = static_cast<std::size_t>(rows_);
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
-        transposed_[column * rows + row] = samples_[row * columns + column];
+        transposed_[kLanes + column * rows + row] = samples_[kLanes + row * columns + column];
       }
     }
   }
-  return {transposed_.data(), first_row_, first_column_, rows_, columns_};
+  return {transposed_.data() + kLanes, first_row_, first_column_, rows_, columns_};
 }
 
 float DepthMap::depth(float x, float y) const {
   if (x <= low_x_ || x >= high_x_ || y <= low_y_ || y >= high_y_) return 0;
   const auto column = static_cast<int>(std::lround(x / scale_.pixel)) - first_column_;
   const auto row = static_cast<int>(std::lround(y / scale_.pixel)) - first_row_;
-  const std::int16_t sample =
-      samples_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
-  if (decoded(sample) < -(kDiagonal + kSample) * scale_.pixel) return 0;
+  if (decoded(samples_[index_of(column, row)]) < -(kDiagonal + kSample) * scale_.pixel) return 0;
   const Nearness near = nearness(boundary_, x, y);
   const float distance = std::sqrt(near.squared_distance);
   return std::max(0.0F, (near.inside ? distance : -distance) + clearance_);
@@ -138,12 +136,11 @@ float DepthMap::rough_depth(float x, float y) const {
   if (x <= low_x_ || x >= high_x_ || y <= low_y_ || y >= high_y_) return 0;
   const float column = x / scale_.pixel - static_cast<float>(first_column_);
   const float row = y / scale_.pixel - static_cast<float>(first_row_);
-  const float left = std::floor(column);
-  const float below = std::floor(row);
-  const float u = column - left;
-  const float v = row - below;
-  const std::int16_t* sample = samples_.data() + static_cast<std::size_t>(below) * static_cast<std::size_t>(columns_) +
-                               static_cast<std::size_t>(left);
+  const auto left = static_cast<int>(column);
+  const auto below = static_cast<int>(row);
+  const float u = column - static_cast<float>(left);
+  const float v = row - static_cast<float>(below);
+  const std::int16_t* sample = samples_.data() + index_of(left, below);
   const float lower = decoded(sample[0]) + u * (decoded(sample[1]) - decoded(sample[0]));
   const float upper = decoded(sample[columns_]) + u * (decoded(sample[columns_ + 1]) - decoded(sample[columns_]));
   return lower + v * (upper - lower);

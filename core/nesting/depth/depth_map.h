@@ -12,6 +12,7 @@
 
 #include "core/geometry/orientation.h"
 #include "core/nesting/depth/boundary.h"
+#include "core/nesting/depth/lanes.h"
 #include "core/nesting/layout/piece_set.h"
 
 namespace selvage::nesting::depth {
@@ -39,12 +40,12 @@ class DepthMap {
   }
 
   // The grid: sample (column, row) is that of the point ((first_column + column) * pixel, (first_row + row) * pixel).
-  // Positive samples include the charge.
+  // Positive samples include the charge.  kLanes samples before the first one and after the last one may be read.
   struct Grid {
     const std::int16_t* samples{};  // row after row
     int first_column{}, first_row{}, columns{}, rows{};
   };
-  [[nodiscard]] Grid grid() const { return {samples_.data(), first_column_, first_row_, columns_, rows_}; }
+  [[nodiscard]] Grid grid() const { return {samples_.data() + kLanes, first_column_, first_row_, columns_, rows_}; }
   // The grid with x and y exchanged, made when it is asked for first.
   [[nodiscard]] Grid transposed();
 
@@ -62,7 +63,8 @@ class DepthMap {
   [[nodiscard]] float x_of(int column) const { return static_cast<float>(first_column_ + column) * scale_.pixel; }
   [[nodiscard]] float y_of(int row) const { return static_cast<float>(first_row_ + row) * scale_.pixel; }
   [[nodiscard]] std::size_t index_of(int column, int row) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    return kLanes + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
   }
   [[nodiscard]] std::int16_t encoded(float signed_depth) const;
   [[nodiscard]] float decoded(std::int16_t sample) const;
@@ -72,7 +74,7 @@ class DepthMap {
   MapScale scale_;
   float low_x_{}, low_y_{}, high_x_{}, high_y_{};  // the box outside of which the depth is 0
   int first_column_{}, first_row_{}, columns_{}, rows_{};
-  std::vector<std::int16_t> samples_, transposed_;
+  std::vector<std::int16_t> samples_, transposed_;  // with kLanes more at both ends
 };
 
 // From the relative position of two pieces on the strip to a map's frame.

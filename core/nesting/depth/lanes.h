@@ -1,4 +1,4 @@
-// Several floats at once.
+// Several numbers at once.
 //
 // The loops that take nearly all of the search's time are written for eight lanes, and compiled both for any x86-64
 // processor and for those with AVX2; which version runs is decided when the program starts.  Both do the same
@@ -20,5 +20,6 @@ namespace selvage::nesting::depth {
 inline constexpr std::size_t kLanes = 8;
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using LaneMask = std::int32_t __attribute__((vector_size(kLanes * sizeof(float))));
+using ShortLanes = std::int16_t __attribute__((vector_size(kLanes * sizeof(std::int16_t))));
 
 }  // namespace selvage::nesting::depth

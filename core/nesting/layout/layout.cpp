@@ -72,9 +72,12 @@ bool may_meet(const PieceSet& set, const Turned& first, const Place& at_first, c
               const Place& at_second, double reach) {
   const double x = at_second.x - at_first.x;
   const double y = at_second.y - at_first.y;
-  const double apart = std::max(0.0, set.clearance(first.outline, second.outline)) + reach;
-  return first.box.low_x < second.box.high_x + x + apart && first.box.high_x > second.box.low_x + x - apart &&
-         first.box.low_y < second.box.high_y + y + apart && first.box.high_y > second.box.low_y + y - apart;
+  const auto within = [&](double apart) {
+    return first.box.low_x < second.box.high_x + x + apart && first.box.high_x > second.box.low_x + x - apart &&
+           first.box.low_y < second.box.high_y + y + apart && first.box.high_y > second.box.low_y + y - apart;
+  };
+  // Most pairs are far apart.
+  return within(set.widest + reach) && within(std::max(0.0, set.clearance(first.outline, second.outline)) + reach);
 }
 
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y) {

@@ -62,7 +62,12 @@ class Builder {
     if (!kind.zone) set_.area += kind.area;
     return true;
   }
-  [[nodiscard]] PieceSet take() { return std::move(set_); }
+  [[nodiscard]] PieceSet take() {
+    Coord buffer = 0;
+    for (const BaseOutline& outline : set_.outlines) buffer = std::max(buffer, outline.buffer);
+    set_.widest = static_cast<double>(std::max(set_.spacing, 2 * buffer)) / set_.lattice_units;
+    return std::move(set_);
+  }
 
  private:
   using Limit = std::optional<Coord>;
@@ -191,8 +196,7 @@ constexpr double kAnyOverlap = 1e9;
 double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
   const BaseOutline& p = outlines[first];
   const BaseOutline& q = outlines[second];
-  if (may_share_cloth(p.on_cloth, q.on_cloth)) return -kAnyOverlap;
-  if (p.on_cloth.zone || q.on_cloth.zone) return 0;
+  if (p.on_cloth.zone || q.on_cloth.zone) return may_share_cloth(p.on_cloth, q.on_cloth) ? -kAnyOverlap : 0;
   const Coord apart = std::max(spacing, p.buffer + q.buffer);
   return static_cast<double>(apart > 0 ? apart : -std::min(p.overlap, q.overlap)) / lattice_units;
 }

@@ -78,6 +78,7 @@ struct PieceSet {
   double left{};           // pieces without rules lie at this x or beyond
   double low{}, high{};    // and between these across the strip
   Coord spacing{};         // lattice units
+  double widest{};         // no two pieces keep a larger clearance
   double area{};           // of all pieces, zones aside
   std::vector<Shade> shades{};
   Repeat repeat{};

@@ -13,37 +13,6 @@ namespace {
 
 constexpr float kRuledOut = std::numeric_limits<float>::max();  // of cells without an allowed position
 
-// A block of a grid, and the block of the field that it is added to: rows of equal length.  The field's rows run
-// forwards; the grid's may run backwards.
-struct Blocks {
-  float* to{};
-  const std::int16_t* from{};
-  std::ptrdiff_t to_stride{}, from_stride{};
-  std::ptrdiff_t columns{}, rows{};
-};
-
-SELVAGE_FOR_EACH_PROCESSOR void add_forwards(Blocks blocks, float weight) {
-  for (std::ptrdiff_t row = 0; row < blocks.rows; ++row) {
-    float* __restrict to = blocks.to + row * blocks.to_stride;
-    const std::int16_t* __restrict from = blocks.from + row * blocks.from_stride;
-    for (std::ptrdiff_t k = 0; k < blocks.columns; ++k) {
-      const auto sample = static_cast<std::int32_t>(from[k]);
-      to[k] += weight * static_cast<float>(sample > 0 ? sample : 0);
-    }
-  }
-}
-
-SELVAGE_FOR_EACH_PROCESSOR void add_backwards(Blocks blocks, float weight) {
-  for (std::ptrdiff_t row = 0; row < blocks.rows; ++row) {
-    float* __restrict to = blocks.to + row * blocks.to_stride;
-    const std::int16_t* __restrict from = blocks.from + row * blocks.from_stride;
-    for (std::ptrdiff_t k = 0; k < blocks.columns; ++k) {
-      const auto sample = static_cast<std::int32_t>(from[-k]);
-      to[k] += weight * static_cast<float>(sample > 0 ? sample : 0);
-    }
-  }
-}
-
 SELVAGE_FOR_EACH_PROCESSOR float lowest_of(const float* values, std::size_t count) {
   depth::Lanes low{};
   low += std::numeric_limits<float>::max();
@@ -89,17 +58,11 @@ bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32
   const float pixel = maps_->scale().pixel;
   columns_ = static_cast<std::size_t>(room_.width() / pixel) + 2;
   rows_ = static_cast<std::size_t>(room_.height() / pixel) + 2;
-  values_.assign(columns_ * rows_, 0);
-  const layout::Turned& own = set_->kind(piece).turned[turn];
-  for (const std::uint32_t other : others) {
-    if (other == piece) continue;
-    const layout::Place& place = layout.places[other];
-    const layout::Turned& theirs = set_->kind(other).turned[place.turn];
-    if (!reaches(own, theirs, place)) continue;
-    const float weight =
-        weights == FieldWeights::kEqual ? 1 : losses.weight(piece, other) * losses.importance(piece, other);
-    add(place, maps_->view(theirs, own), weight);
-  }
+  values_.assign(columns_ * rows_ + depth::kLanes, 0);
+  find_readings(layout, piece, others, losses, weights);
+  blocks_.clear();
+  for (const Reading& reading : readings_) append_block(reading);
+  depth::add_positive(blocks_);
   piece_ = piece;
   if (set_->kind(piece).matched) leave_out_unmatched();
   return true;
@@ -133,30 +96,43 @@ void Field::leave_out_unmatched() {
   }
 }
 
-void Field::add(const layout::Place& other, const depth::MapView& view, float weight) {
-  const bool exchanged = view.frame.exchanged;
-  const depth::DepthMap::Grid grid = exchanged ? view.map->transposed() : view.map->grid();
-  const float sign_x = exchanged ? view.frame.sign_y : view.frame.sign_x;
-  const float sign_y = exchanged ? view.frame.sign_x : view.frame.sign_y;
-  const double pixel = maps_->scale().pixel;
-  const Overlap1D across =
-      overlap_of((room_.low_x - other.x) / pixel, sign_x, grid.first_column, grid.columns, static_cast<int>(columns_));
-  const Overlap1D up =
-      overlap_of((room_.low_y - other.y) / pixel, sign_y, grid.first_row, grid.rows, static_cast<int>(rows_));
-  if (across.begin >= across.end || up.begin >= up.end) return;
-  const Blocks blocks{
-      .to = values_.data() + static_cast<std::size_t>(up.begin) * columns_ + static_cast<std::size_t>(across.begin),
-      .from = grid.samples + static_cast<std::ptrdiff_t>(up.grid) * grid.columns + across.grid,
-      .to_stride = static_cast<std::ptrdiff_t>(columns_),
-      .from_stride = sign_y > 0 ? grid.columns : -grid.columns,
-      .columns = across.end - across.begin,
-      .rows = up.end - up.begin};
-  const float unit = weight * static_cast<float>(pixel) * depth::DepthMap::kSample;
-  if (sign_x > 0) {
-    add_forwards(blocks, unit);
-  } else {
-    add_backwards(blocks, unit);
+// Maps are looked up together, and read after that, because each look-up waits for memory.
+void Field::find_readings(const layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others,
+                          const Losses& losses, FieldWeights weights) {
+  readings_.clear();
+  const layout::Turned& own = set_->kind(piece).turned[turn_];
+  for (const std::uint32_t other : others) {
+    if (other == piece) continue;
+    const layout::Place& place = layout.places[other];
+    const layout::Turned& theirs = set_->kind(other).turned[place.turn];
+    if (!reaches(own, theirs, place)) continue;
+    const float weight =
+        weights == FieldWeights::kEqual ? 1 : losses.weight(piece, other) * losses.importance(piece, other);
+    readings_.push_back({maps_->view(theirs, own), place.x, place.y, weight});
+    __builtin_prefetch(readings_.back().view.map);
   }
+}
+
+void Field::append_block(const Reading& reading) {
+  const depth::MapFrame& frame = reading.view.frame;
+  const depth::DepthMap::Grid grid = frame.exchanged ? reading.view.map->transposed() : reading.view.map->grid();
+  const float sign_x = frame.exchanged ? frame.sign_y : frame.sign_x;
+  const float sign_y = frame.exchanged ? frame.sign_x : frame.sign_y;
+  const double pixel = maps_->scale().pixel;
+  const Overlap1D across = overlap_of((room_.low_x - reading.x) / pixel, sign_x, grid.first_column, grid.columns,
+                                      static_cast<int>(columns_));
+  const Overlap1D up =
+      overlap_of((room_.low_y - reading.y) / pixel, sign_y, grid.first_row, grid.rows, static_cast<int>(rows_));
+  if (across.begin >= across.end || up.begin >= up.end) return;
+  blocks_.push_back(
+      {.to = values_.data() + static_cast<std::size_t>(up.begin) * columns_ + static_cast<std::size_t>(across.begin),
+       .from = grid.samples + static_cast<std::ptrdiff_t>(up.grid) * grid.columns + across.grid,
+       .to_stride = static_cast<std::ptrdiff_t>(columns_),
+       .from_stride = sign_y > 0 ? grid.columns : -grid.columns,
+       .columns = across.end - across.begin,
+       .rows = up.end - up.begin,
+       .backwards = sign_x < 0,
+       .weight = reading.weight * static_cast<float>(pixel) * depth::DepthMap::kSample});
 }
 
 layout::Place Field::place_at(std::size_t column, std::size_t row) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/nesting/depth/depth_maps.h"
+#include "core/nesting/depth/grid_block.h"
 #include "core/nesting/layout/dice.h"
 #include "core/nesting/layout/layout.h"
 #include "core/nesting/local_search/losses.h"
@@ -45,7 +46,15 @@ class Field {
  private:
   // Whether the piece can overlap another one, or come too near to it, at some position of the field.
   [[nodiscard]] bool reaches(const layout::Turned& own, const layout::Turned& theirs, const layout::Place& at) const;
-  void add(const layout::Place& other, const depth::MapView& view, float weight);
+  // How the depth map of the piece and another one is read.
+  struct Reading {
+    depth::MapView view;
+    double x{}, y{};  // position of the other piece
+    float weight{};
+  };
+  void find_readings(const layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others,
+                     const Losses& losses, FieldWeights weights);
+  void append_block(const Reading& reading);
   [[nodiscard]] layout::Place place_at(std::size_t column, std::size_t row) const;
   // Rules out the cells in which no position is matched to the cloth.
   void leave_out_unmatched();
@@ -56,7 +65,9 @@ class Field {
   std::size_t piece_{};
   std::uint32_t turn_{};
   std::size_t columns_{}, rows_{};
-  std::vector<float> values_;  // row after row
+  std::vector<float> values_;             // row after row, and kLanes more at the end
+  std::vector<Reading> readings_;         // of all pieces that the field reaches,
+  std::vector<depth::GridBlock> blocks_;  // and what they add to it; both reused from one field to the next
 };
 
 }  // namespace selvage::nesting::local_search
