@@ -1,0 +1,104 @@
+// Nests markers from nothing with one part of the method switched off at a time, and prints a Markdown table of the
+// mean densities: what each part contributes.
+//
+// usage: ablation_table SECONDS SEEDS MARKER...
+//
+// SECONDS: processor time of each run, on one thread; SEEDS: the runs have the seeds 1 to SEEDS.  Layouts in the files
+// are not used.  Every answer is proved by nest() itself.
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "bench/support/marker_file.h"
+#include "core/marker/figures.h"
+#include "core/nesting/nest.h"
+
+namespace selvage::bench {
+namespace {
+
+using nesting::NestSettings;
+
+struct Ablation {
+  std::string name;
+  std::function<void(NestSettings&)> apply;
+};
+
+std::vector<Ablation> ablations() {
+  return {
+      {"all parts", [](NestSettings&) {}},
+      {"overlaps cost their depth only, no charge", [](NestSettings& s) { s.tuning.search.charge = 0; }},
+      {"weights of pairs do not grow",
+       [](NestSettings& s) { s.tuning.search.weight_growth = 1, s.tuning.search.extra_growth = 0; }},
+      {"a move descends from one place of the field instead of three",
+       [](NestSettings& s) { s.tuning.search.best_places = 1; }},
+      {"attempts are short from the beginning", [](NestSettings& s) { s.tuning.first_step = s.tuning.least_step; }},
+      {"only the best failed layout is kept", [](NestSettings& s) { s.tuning.pool = 1; }},
+      {"pieces of any size are swapped", [](NestSettings& s) { s.tuning.search.large_part = 1; }},
+      {"one start", [](NestSettings& s) { s.tuning.raced = 0; }},
+      {"no compression in the end", [](NestSettings& s) { s.tuning.explored = 1; }},
+      {"no small rotations in the end", [](NestSettings& s) { s.turn = false; }},
+  };
+}
+
+double own_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1e9;
+}
+
+// Per cent.
+double density(const Marker& marker, const Ablation& ablation, double seconds, std::uint64_t seed) {
+  NestSettings settings;
+  settings.moves = std::numeric_limits<std::uint64_t>::max();
+  settings.from_scratch = true;
+  settings.seed = seed;
+  settings.elapsed = [start = own_seconds(), seconds] { return (own_seconds() - start) / seconds; };
+  ablation.apply(settings);
+  SumCache sums;
+  const auto done = nest(marker, settings, {sums});
+  if (!done) {
+    std::fprintf(stderr, "%s\n", done.error().message.c_str());
+    std::exit(EXIT_FAILURE);
+  }
+  return 100 * utilisation_at(done->marker, done->length_after);
+}
+
+int main_of(const std::vector<std::string>& arguments) {
+  if (arguments.size() < 3) {
+    std::fprintf(stderr, "usage: ablation_table SECONDS SEEDS MARKER...\n");
+    return 2;
+  }
+  const double seconds = std::stod(arguments[0]);
+  const std::uint64_t seeds = std::stoull(arguments[1]);
+  const std::vector<std::string> files{arguments.begin() + 2, arguments.end()};
+  std::string rule = "|---|";
+  std::printf("| density %% |");
+  for (const std::string& file : files) {
+    std::printf(" %s |", name_of(file).c_str());
+    rule += "---|";
+  }
+  std::printf("\n%s\n", rule.c_str());
+  for (const Ablation& ablation : ablations()) {
+    std::printf("| %s |", ablation.name.c_str());
+    for (const std::string& file : files) {
+      const Marker marker = marker_in(file);
+      double sum = 0;
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed) sum += density(marker, ablation, seconds, seed);
+      std::printf(" %.2f |", sum / static_cast<double>(seeds));
+      std::fflush(stdout);
+    }
+    std::printf("\n");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace selvage::bench
+
+int main(int argc, char** argv) {
+  return selvage::bench::main_of(std::vector<std::string>(argv + 1, argv + argc));
+}
