@@ -38,6 +38,7 @@ void scale(CutPiece& piece, double unit) {
     for (Spot& point : run.points) scale_spot(point);
   }
   for (Spot& drill : piece.drills) scale_spot(drill);
+  for (CutLabel& label : piece.labels) scale_spot(label.at);
 }
 
 // The part of a label "S:XL-A M:STYLE N:FRONT" that begins with the letter; empty if there is none.
@@ -81,18 +82,48 @@ std::vector<Loop> loops_of(CutPiece& piece, std::vector<Run>& open, std::vector<
   return std::move(loops.closed);
 }
 
-PlacedPattern pattern_of(const CutPiece& piece, const Loop& outline, const std::vector<Loop>& inner,
-                         const std::vector<Run>& open) {
+// The pattern of an outline, the loops inside it, and the piece's label, drill holes and open cuts.
+PlacedPattern pattern_of(const CutPiece& piece, const Loop& outline, const std::vector<Loop>& inner) {
   PlacedPattern placed;
-  describe(placed, piece.label);
+  describe(placed, piece.labels.empty() ? std::string{} : piece.labels.front().text);
   std::size_t dropped = 0;
   placed.outline = without_repeats(outline.points, dropped);
   for (const Loop& loop : inner) {
     placed.annotations.lines.push_back({document::LineKind::kCutOut, true, loop.points});
   }
-  for (const Run& run : open) placed.annotations.lines.push_back({document::LineKind::kCutOut, false, run.points});
+  for (const Run& run : piece.runs) {
+    placed.annotations.lines.push_back({document::LineKind::kCutOut, false, run.points});
+  }
   placed.annotations.drills = piece.drills;
   return placed;
+}
+
+// The pieces of a file without N: every outermost loop is one, with the labels, drill holes and open cuts inside it.
+void add_unnumbered(CutPiece all, std::vector<Loop> loops, PlacedMarker& marker) {
+  std::vector<NestedLoop> outer = nested(std::move(loops));
+  std::vector<CutPiece> pieces(outer.size());
+  std::size_t outside = 0;
+  const auto around = [&](const std::vector<Spot>& points) -> CutPiece* {
+    const NestedLoop* const found = outer.size() == 1 ? outer.data() : around_of(outer, points);
+    if (!found) ++outside;
+    return found ? &pieces[static_cast<std::size_t>(found - outer.data())] : nullptr;
+  };
+  for (CutLabel& label : all.labels) {
+    if (CutPiece* const piece = around({label.at})) piece->labels.push_back(std::move(label));
+  }
+  for (const Spot& drill : all.drills) {
+    if (CutPiece* const piece = around({drill})) piece->drills.push_back(drill);
+  }
+  for (Run& run : all.runs) {
+    if (CutPiece* const piece = around(run.points)) piece->runs.push_back(std::move(run));
+  }
+  if (outside > 0) {
+    marker.notes.push_back(
+        {"", std::to_string(outside) + " labels, drill holes and open cuts outside of all pieces are left out"});
+  }
+  for (std::size_t k = 0; k < outer.size(); ++k) {
+    marker.pieces.push_back(pattern_of(pieces[k], outer[k].loop, outer[k].inner));
+  }
 }
 
 }  // namespace
@@ -108,23 +139,14 @@ Result<MarkerFile> read_cut_marker(std::string_view text, const ReadingOptions& 
     scale(piece, unit);
     std::vector<Run> open;
     std::vector<Loop> loops = loops_of(piece, open, marker.notes, field);
+    piece.runs = std::move(open);
     if (loops.empty()) {
       marker.notes.push_back({field, "no closed outline is cut; left out"});
-      continue;
-    }
-    // Without N, every outermost loop is a piece.
-    while (!loops.empty()) {
-      const Loop outline = std::move(loops.front());
-      loops.erase(loops.begin());
-      const auto inside = [&](const Loop& loop) {
-        return commands.numbered || contains(outline.points, loop.points.front());
-      };
-      const auto others = std::stable_partition(loops.begin(), loops.end(), inside);
-      const std::vector<Loop> inner{loops.begin(), others};
-      loops.erase(loops.begin(), others);
-      marker.pieces.push_back(pattern_of(piece, outline, inner, open));
+    } else if (commands.numbered) {
+      marker.pieces.push_back(pattern_of(piece, loops.front(), {loops.begin() + 1, loops.end()}));
       marker.pieces.back().field = field;
-      if (commands.numbered) break;
+    } else {
+      add_unnumbered(std::move(piece), std::move(loops), marker);
     }
   }
   return file_of(std::move(marker), options);

@@ -126,12 +126,16 @@ class Interpreter {
 
   // The label follows in a separate block; its position is before it or in between.
   void read_label(bool placed) {
+    Spot at = at_;
     auto text = next();
     if (text && !placed) {
       const auto words = words_of(*text);
-      if (words && only_coordinates(*words)) text = next();
+      if (words && only_coordinates(*words)) {
+        for (const Word& word : *words) (word.letter == 'X' ? at.x : at.y) = word.number;
+        text = next();
+      }
     }
-    if (text && piece().label.empty()) piece().label = decoded(*text, encoding_);
+    if (text) piece().labels.push_back({decoded(*text, encoding_), at});
   }
 
   CutPiece& piece() {

@@ -16,8 +16,13 @@
 
 namespace selvage::protocol::trade::cut {
 
+struct CutLabel {
+  std::string text;
+  Spot at;
+};
+
 struct CutPiece {
-  std::string label;
+  std::vector<CutLabel> labels;
   std::vector<Run> runs;  // of the lowered knife
   std::vector<Spot> drills;
   std::size_t number{};  // of its N; 0: none

@@ -53,6 +53,25 @@ TEST(CutIn, BlanksInWordsAndMarksOfTheTapeAreSkipped) {
   EXPECT_TRUE(test::has_note(*file, "by G71"));
 }
 
+TEST(CutIn, WithoutNumbersEveryPieceHasWhatLiesInIt) {
+  const std::string square = "X1000Y0*X1000Y1000*X0Y1000*X0Y0*M15*";
+  const std::string other = "X2000Y0*M14*X3000Y0*X3000Y1000*X2000Y1000*X2000Y0*M15*";
+  const auto file =
+      protocol::files::read_file("G71*X100Y500M31*LEFT*X0Y0*M14*" + square + "M31*X2100Y500*RIGHT*" + other +
+                                 "X300Y300M43*X2300Y300M43*X2500Y300M43*X2200Y200*M14*X2400Y400*M15*X9000Y0M43*M0*");
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->marker.pieces.size(), 2U);
+  EXPECT_EQ(file->marker.pieces[0].id, "LEFT");
+  EXPECT_EQ(file->marker.pieces[1].id, "RIGHT");
+  const auto left = protocol::document::annotations_of(file->attributes.shapes[0]);
+  const auto right = protocol::document::annotations_of(file->attributes.shapes[1]);
+  EXPECT_EQ(left.drills.size(), 1U);
+  EXPECT_EQ(left.lines.size(), 0U);
+  EXPECT_EQ(right.drills.size(), 2U);
+  EXPECT_EQ(right.lines.size(), 1U);
+  EXPECT_TRUE(test::has_note(*file, "1 labels, drill holes and open cuts outside of all pieces"));
+}
+
 TEST(CutOut, IsReadBackToATenthOfAMillimetre) {
   const MarkerFile file = read_example("polypattern_like.dxf");
   const auto text = protocol::files::write_marker(file, FileFormat::kCut);
