@@ -37,6 +37,8 @@ class Instructions {
     while (at_ + 1 < text_.size()) {
       if (text_[at_] == kEscape) {
         skip_escape();
+      } else if (text_.substr(at_, 4) == "@PJL") {  // a command to the printer, up to the end of its line
+        at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (is_letter(text_[at_]) && is_letter(text_[at_ + 1])) {
         Instruction read{in_capitals(text_.substr(at_, 2)), {}, {}};
         at_ += 2;

@@ -28,6 +28,13 @@ double length(const MarkerFile& file) {
   return to_decimal(length_of(file.marker), file.marker.resolution);
 }
 
+TEST(HpglIn, CommandsToThePrinterAroundItAreSkipped) {
+  const MarkerFile file = plot(
+      "\x1b%-12345X@PJL SET A=B\r\n@PJL ENTER LANGUAGE=HPGL2\r\n\x1b%0BIN;"
+      "PU0,0;PD8000,0,8000,4000,0,4000,0,0;PU;\x1b%0A\x1b%-12345X");
+  EXPECT_NEAR(area_of(file, 0), 200 * 100, 1e-6);
+}
+
 TEST(HpglIn, PiecesLieInTheFrameAndHaveTheirLabelsAsNames) {
   const MarkerFile file = read_example("plotter_like.plt");
   ASSERT_EQ(file.marker.pieces.size(), 3U);
