@@ -174,6 +174,36 @@ bool contains(const std::vector<Spot>& outline, Spot point) {
   return inside;
 }
 
+namespace {
+
+NestedLoop boxed(Loop loop) {
+  NestedLoop one;
+  one.low = one.high = loop.points.front();
+  for (const Spot& p : loop.points) {
+    one.low = {std::min(one.low.x, p.x), std::min(one.low.y, p.y)};
+    one.high = {std::max(one.high.x, p.x), std::max(one.high.y, p.y)};
+  }
+  one.loop = std::move(loop);
+  return one;
+}
+
+// Whether both are the same loop, from whichever point and in whichever direction they are drawn.
+bool repeats(const NestedLoop& one, const NestedLoop& other) {
+  constexpr double kSamePoint = 1e-3;
+  constexpr std::size_t kLookedAt = 64;
+  if (distance(one.low, other.low) > kSamePoint || distance(one.high, other.high) > kSamePoint) return false;
+  const std::vector<Spot>& points = one.loop.points;
+  const std::size_t count = std::min(points.size(), kLookedAt);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Spot point = points[k * points.size() / count];
+    const auto here = [&](const Spot& p) { return distance(p, point) <= kSamePoint; };
+    if (std::none_of(other.loop.points.begin(), other.loop.points.end(), here)) return false;
+  }
+  return one.loop.points.size() == other.loop.points.size();
+}
+
+}  // namespace
+
 std::vector<NestedLoop> nested(std::vector<Loop> loops) {
   std::erase_if(loops, [](const Loop& loop) { return !(std::abs(doubled_area(loop.points)) > 0); });
   std::stable_sort(loops.begin(), loops.end(), [](const Loop& a, const Loop& b) {
@@ -181,19 +211,15 @@ std::vector<NestedLoop> nested(std::vector<Loop> loops) {
   });
   std::vector<NestedLoop> outer;
   for (Loop& loop : loops) {
-    NestedLoop* const around = around_of(outer, loop.points);
-    if (around) {
-      around->inner.push_back(std::move(loop));
-      continue;
+    NestedLoop one = boxed(std::move(loop));
+    const auto same = std::find_if(outer.begin(), outer.end(), [&](const NestedLoop& o) { return repeats(one, o); });
+    if (same != outer.end()) {
+      ++same->repeats;
+    } else if (NestedLoop* const around = around_of(outer, one.loop.points)) {
+      around->inner.push_back(std::move(one.loop));
+    } else {
+      outer.push_back(std::move(one));
     }
-    NestedLoop one;
-    one.low = one.high = loop.points.front();
-    for (const Spot& p : loop.points) {
-      one.low = {std::min(one.low.x, p.x), std::min(one.low.y, p.y)};
-      one.high = {std::max(one.high.x, p.x), std::max(one.high.y, p.y)};
-    }
-    one.loop = std::move(loop);
-    outer.push_back(std::move(one));
   }
   return outer;
 }

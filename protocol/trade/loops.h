@@ -56,8 +56,9 @@ struct NestedLoop {
   Loop loop;
   std::vector<Loop> inner;   // all loops inside it, at any depth
   document::Spot low, high;  // of the loop's box
+  std::size_t repeats{};     // how often the same loop is drawn again: a fill and its stroke, or a line cut twice
 };
-// The largest first; loops without area are left out.
+// The largest first; loops without area are left out, and repeated ones counted.
 [[nodiscard]] std::vector<NestedLoop> nested(std::vector<Loop> loops);
 
 // The first loop in which most of the points lie, and at least the first, the last or the middle one; null when there

@@ -45,14 +45,21 @@ Run polyline_run(const Entity& entity, Flattening& flattening) {
   return path.take(entity.closed);
 }
 
+// The angle from `from` to `to`, counter-clockwise: more than 0, and at most a whole turn, which writers round.
+double sweep_between(double from, double to) {
+  constexpr double kRounding = 2e-4;
+  if (std::abs(std::abs(to - from) - kWholeTurn) < kRounding) return kWholeTurn;
+  const double sweep = std::fmod(to - from, kWholeTurn);
+  return sweep > 0 ? sweep : sweep + kWholeTurn;
+}
+
 // CIRCLE and ARC; angles in degrees, counter-clockwise.
 Run circle_run(const Entity& entity, Flattening& flattening) {
   const Spot centre = spot_of(entity.vertices.front());
   const double radius = std::abs(entity.number(40).value_or(0));
   const bool whole = entity.type == "CIRCLE";
   const double from = whole ? 0 : entity.number(50).value_or(0) * kRadians;
-  double sweep = whole ? kWholeTurn : std::fmod(entity.number(51).value_or(360) * kRadians - from, kWholeTurn);
-  if (sweep <= 0) sweep += kWholeTurn;
+  const double sweep = whole ? kWholeTurn : sweep_between(from, entity.number(51).value_or(360) * kRadians);
   Path path{{centre.x + radius * std::cos(from), centre.y + radius * std::sin(from)}, flattening, entity.line};
   path.arc(centre, {radius, 0}, {0, radius}, from, sweep);
   return path.take(whole);
@@ -64,12 +71,11 @@ Run ellipse_run(const Entity& entity, Flattening& flattening) {
   const double ratio = entity.number(40).value_or(1);
   const Spot v{-u.y * ratio, u.x * ratio};
   const double from = entity.number(41).value_or(0);
-  double sweep = std::fmod(entity.number(42).value_or(kWholeTurn) - from, kWholeTurn);
-  if (sweep <= 0) sweep += kWholeTurn;
+  const double sweep = sweep_between(from, entity.number(42).value_or(kWholeTurn));
   const double c = std::cos(from), s = std::sin(from);
   Path path{{centre.x + u.x * c + v.x * s, centre.y + u.y * c + v.y * s}, flattening, entity.line};
   path.arc(centre, u, v, from, sweep);
-  return path.take(std::abs(sweep - kWholeTurn) < 1e-9);
+  return path.take(sweep == kWholeTurn);
 }
 
 // A B-spline, rational when it has weights, as DXF writes it.

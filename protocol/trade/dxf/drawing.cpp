@@ -10,6 +10,7 @@ namespace selvage::protocol::trade::dxf {
 namespace {
 
 constexpr int kClosedFlag = 1;
+constexpr int kControlFlag = 16;  // of a VERTEX: it controls a spline through vertices that follow
 
 double coordinate(const Tag& tag, json::Mistake& mistake) {
   const auto value = number_in(tag.text);
@@ -51,6 +52,8 @@ class Reader {
       if (entity.type == "SECTION") section_ = entity.text(2);
       if (entity.type == "SECTION" && section_ == "HEADER")
         read_header(entity);
+      else if (section_ == "TABLES")
+        read_layer(entity);
       else if (section_ == "BLOCKS" || section_ == "ENTITIES")
         sort(entity);
     }
@@ -85,6 +88,14 @@ class Reader {
     }
   }
 
+  void read_layer(const Entity& layer) {
+    constexpr int kFrozen = 1;
+    if (layer.type != "LAYER") return;
+    const bool frozen = (whole_number_in(layer.text(70)).value_or(0) & kFrozen) != 0;
+    const bool off = whole_number_in(layer.text(62)).value_or(0) < 0;  // its colour
+    if (frozen || off) drawing_.hidden_layers.insert(layer.text(2));
+  }
+
   void sort(Entity entity) {
     if (entity.type == "BLOCK") {
       drawing_.blocks.push_back(
@@ -95,7 +106,8 @@ class Reader {
       polyline_ = nullptr;
     } else if (entity.type == "VERTEX") {
       read_vertices(entity, 10, mistake_);
-      if (polyline_ && !entity.vertices.empty()) polyline_->vertices.push_back(entity.vertices.front());
+      const bool controls = (whole_number_in(entity.text(70)).value_or(0) & kControlFlag) != 0;
+      if (polyline_ && !controls && !entity.vertices.empty()) polyline_->vertices.push_back(entity.vertices.front());
     } else if (entity.type != "SEQEND") {
       keep(std::move(entity));
     } else {
@@ -105,6 +117,10 @@ class Reader {
 
   void keep(Entity entity) {
     if (section_ == "BLOCKS" && !in_block_) return;
+    if (whole_number_in(entity.text(67)) == 1) {  // paper space: the frame of a printed page
+      polyline_ = nullptr;
+      return;
+    }
     const bool polyline = entity.type == "POLYLINE";
     if (polyline || entity.type == "LWPOLYLINE") {
       entity.closed = (whole_number_in(entity.text(70)).value_or(0) & kClosedFlag) != 0;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -41,11 +42,12 @@ struct Block {
 };
 
 struct DxfDrawing {
-  std::optional<int> insert_units;  // $INSUNITS
-  std::string_view code_page;       // $DWGCODEPAGE
-  std::string_view version;         // $ACADVER
+  std::optional<int> insert_units;           // $INSUNITS
+  std::string_view code_page;                // $DWGCODEPAGE
+  std::string_view version;                  // $ACADVER
+  std::set<std::string_view> hidden_layers;  // frozen or switched off
   std::vector<Block> blocks;
-  std::vector<Entity> entities;  // of the section ENTITIES
+  std::vector<Entity> entities;  // of the section ENTITIES, without those in paper space
 };
 
 // REQUIRES: the tags outlive the drawing.

@@ -72,6 +72,10 @@ class PlainReader {
  private:
   void add(const Entity& entity, const Insertion& outer, int depth) {
     if (too_many_) return;
+    if (drawing_.hidden_layers.contains(entity.layer)) {
+      return pass_over("layer " + json::shortened(Json(printable(entity.layer))) + " is frozen or off and is not read",
+                       entity);
+    }
     const Insertion insertion = from_behind(entity) ? outer.after(kMirrored) : outer;
     if (entity.type == "INSERT") return add_block(entity, insertion, depth);
     auto run = run_of(entity, flattening_);
@@ -152,6 +156,9 @@ Result<Style> read_plain(std::string_view text, const ReadingOptions& options) {
     }
     open_lines[static_cast<std::size_t>(around - outlines.data())].lines.push_back(
         {document::LineKind::kInternal, false, std::move(open.points)});
+  }
+  for (const NestedLoop& outline : outlines) {
+    if (outline.repeats > 0) style.notes.push_back(note_at(outline.loop.line, "an outline is drawn again; read once"));
   }
   for (std::size_t k = 0; k < outlines.size(); ++k) {
     PatternPiece piece;

@@ -39,6 +39,12 @@ std::optional<double> millimetres_in(const pugi::xml_attribute& attribute) {
   return unit ? std::optional{length->value * *unit} : std::nullopt;
 }
 
+// Whether the declarations of a style, without blanks, hide what they apply to.
+bool hides(std::string_view declarations) {
+  return declarations.find("display:none") != std::string_view::npos ||
+         declarations.find("visibility:hidden") != std::string_view::npos;
+}
+
 // The classes that the drawing's style sheets hide: .name { display: none }.
 std::set<std::string, std::less<>> hidden_classes(std::string_view css) {
   std::set<std::string, std::less<>> hidden;
@@ -47,9 +53,15 @@ std::set<std::string, std::less<>> hidden_classes(std::string_view css) {
     if (close == std::string_view::npos || open > close) return hidden;
     std::string declarations{css.substr(open + 1, close - open - 1)};
     std::erase(declarations, ' ');
-    const std::string_view selector = trimmed(css.substr(0, open));
-    if (selector.starts_with('.') && declarations.find("display:none") != std::string::npos) {
-      hidden.emplace(selector.substr(1));
+    std::string_view selectors = css.substr(0, open);
+    while (hides(declarations) && !selectors.empty()) {  // .a, path.b
+      const std::size_t comma = std::min(selectors.find(','), selectors.size());
+      const std::string_view selector = trimmed(selectors.substr(0, comma));
+      const std::size_t dot = selector.find('.');
+      const bool simple =
+          dot != std::string_view::npos && selector.find_first_of(" >+~:[.", dot + 1) == std::string_view::npos;
+      if (simple) hidden.emplace(selector.substr(dot + 1));
+      selectors.remove_prefix(std::min(comma + 1, selectors.size()));
     }
     css.remove_prefix(close + 1);
   }
@@ -126,7 +138,8 @@ class DrawingReader {
     std::erase(style, ' ');
     return std::find(std::begin(kUnseen), std::end(kUnseen), name) != std::end(kUnseen) ||
            std::string_view{node.attribute("display").value()} == "none" ||
-           style.find("display:none") != std::string::npos || has_word(classes, "hidden") ||
+           std::string_view{node.attribute("visibility").value()} == "hidden" || hides(style) ||
+           has_word(classes, "hidden") ||
            std::any_of(hidden_.begin(), hidden_.end(), [&](const auto& one) { return has_word(classes, one); });
   }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <pugixml.hpp>
 #include <string>
 #include <utility>
@@ -41,6 +43,7 @@ class PatternMaker {
   // The index of the drawn element is stored as the line of a loop or run.
   void find_outlines() {
     std::vector<Loop> closed;
+    std::map<std::string_view, std::vector<Run>> pieced;  // by their classes: lines that may form an outline together
     for (std::size_t k = 0; k < drawn_.size(); ++k) {
       Loops loops = joined(drawn_[k].runs, kReach);
       for (Loop& loop : loops.closed) {
@@ -53,8 +56,14 @@ class PatternMaker {
       }
       for (Run& run : loops.open) {
         run.line = k;
-        open_.push_back(std::move(run));
+        const bool mark = drawn_[k].used || drawn_[k].grain || drawn_[k].fold;
+        (mark ? open_ : pieced[drawn_[k].classes]).push_back(std::move(run));
       }
+    }
+    for (auto& [classes, runs] : pieced) {
+      Loops loops = joined(std::move(runs), kReach);
+      std::move(loops.closed.begin(), loops.closed.end(), std::back_inserter(closed));
+      std::move(loops.open.begin(), loops.open.end(), std::back_inserter(open_));
     }
     outlines_ = nested(std::move(closed));
     blocks_.resize(outlines_.size());
@@ -103,6 +112,7 @@ class PatternMaker {
     block.mirrored.assign(block.annotations.lines.size(), true);
     std::size_t dropped = 0;
     std::vector<Spot> points = without_repeats(containing_outline(outlines_[k].loop), dropped);
+    if (outlines_[k].repeats > 0) notes.push_back({"", "its outline is drawn again; read once"});
     const bool half = options_.fold == FoldRule::kLay && aama::may_lie_on_fold(block, points, notes);
     if (options_.fold != FoldRule::kKeep && !half) aama::unfold(block, points, notes);
     if (!block.grains.empty()) {

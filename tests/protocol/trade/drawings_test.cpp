@@ -40,6 +40,32 @@ std::pair<double, double> centre_of(const Polygon& outline, double unit) {
   return {x / (3 * area), y / (3 * area)};
 }
 
+TEST(SvgIn, HiddenElementsAreNoPieces) {
+  const std::string square = " d=\"M0 0H100V100H0z\"/>";
+  const MarkerFile file =
+      read_text(svg("<style>.a, .b {visibility: hidden} path.c { display : none }</style><path class=\"a\"" + square +
+                    "<path class=\"x b\"" + square + "<path class=\"c\"" + square + "<path visibility=\"hidden\"" +
+                    square + "<path style=\"visibility: hidden\"" + square + "<path d=\"M200 0H400V100H200z\"/>"));
+  ASSERT_EQ(file.marker.pieces.size(), 1U);
+  EXPECT_NEAR(area_of(file, 0), 200 * 100, 1e-6);
+}
+
+TEST(SvgIn, LinesOfSeveralElementsFormAnOutline) {
+  const MarkerFile file =
+      read_text(svg("<line x1=\"0\" y1=\"0\" x2=\"300\" y2=\"0\"/><line x1=\"300\" y1=\"200\" x2=\"300\" y2=\"0\"/>"
+                    "<polyline points=\"300,200 0,200 0,0\"/>"));
+  ASSERT_EQ(file.marker.pieces.size(), 1U);
+  EXPECT_NEAR(area_of(file, 0), 300 * 200, 1e-6);
+}
+
+TEST(SvgIn, AFillAndItsStrokeAreOnePiece) {
+  const MarkerFile file =
+      read_text(svg("<path fill=\"#ccc\" d=\"M0 0H300V200H0z\"/><path stroke=\"black\" d=\"M300 "
+                    "200H0V0H300z\"/>"));
+  EXPECT_EQ(file.marker.pieces.size(), 1U);
+  EXPECT_TRUE(test::has_note(file, "its outline is drawn again; read once"));
+}
+
 // The outline holds the true circle, and lies within the tolerance of it.
 TEST(Flattening, HoldsTheTrueCurve) {
   for (const double tolerance : {1.0, 0.1, 0.01}) {

@@ -131,6 +131,63 @@ TEST(PlainDxf, WhatIsSeenFromBehindIsMirrored) {
   EXPECT_EQ(at_left(behind), 1);
 }
 
+// A square of 100 mm at x.
+std::string square(double x, const std::string& tags = "8\n0\n") {
+  std::string text = "0\nLWPOLYLINE\n" + tags + "70\n1\n";
+  for (const auto& [dx, y] : {std::pair{0, 0}, {100, 0}, {100, 100}, {0, 100}}) {
+    text += "10\n" + std::to_string(x + dx) + "\n20\n" + std::to_string(y) + "\n";
+  }
+  return text;
+}
+
+TEST(PlainDxf, WhatIsNotSeenIsNotRead) {
+  ReadingOptions plain;
+  plain.plain = true;
+  std::string text =
+      dxf_with_blocks(square(0) + square(200, "8\nOFF\n") + square(400, "8\nFROZEN\n") + square(-50, "67\n1\n8\n0\n"));
+  text.insert(
+      text.find("0\nSECTION\n2\nBLOCKS"),
+      "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\n0\n70\n0\n62\n7\n0\nLAYER\n2\nOFF\n70\n0\n62\n-7\n"
+      "0\nLAYER\n2\nFROZEN\n70\n1\n62\n7\n0\nENDTAB\n0\nENDSEC\n");
+  const MarkerFile file = read_text(text, plain);
+  ASSERT_EQ(file.marker.pieces.size(), 1U);
+  EXPECT_NEAR(area_of(file, 0), 100 * 100, 1e-6);
+  EXPECT_TRUE(test::has_note(file, "layer \"FROZEN\" is frozen or off"));
+  EXPECT_TRUE(test::has_note(file, "layer \"OFF\" is frozen or off"));
+}
+
+TEST(PlainDxf, AnOutlineThatIsDrawnAgainIsOnePiece) {
+  ReadingOptions plain;
+  plain.plain = true;
+  const MarkerFile file = read_text(dxf_with_blocks(square(0) + square(0) + square(200)), plain);
+  EXPECT_EQ(file.marker.pieces.size(), 2U);
+  EXPECT_TRUE(test::has_note(file, "an outline is drawn again; read once"));
+}
+
+TEST(PlainDxf, AWholeEllipseMayEndARoundedTurnLater) {
+  ReadingOptions plain;
+  plain.plain = true;
+  for (const char* end : {"6.28318530718", "6.2832", "6.283185"}) {
+    const MarkerFile file = read_text(
+        dxf_with_blocks(std::string{"0\nELLIPSE\n10\n0\n20\n0\n11\n200\n21\n0\n40\n0.5\n41\n0\n42\n"} + end + "\n"),
+        plain);
+    EXPECT_NEAR(area_of(file, 0), 3.14159265 * 200 * 100, 60) << end;
+  }
+}
+
+TEST(PlainDxf, VerticesThatControlASplineAreNotOnIt) {
+  ReadingOptions plain;
+  plain.plain = true;
+  std::string text = "0\nPOLYLINE\n8\n0\n70\n5\n";
+  const auto add = [&](double x, double y, int flags) {
+    text +=
+        "0\nVERTEX\n10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n70\n" + std::to_string(flags) + "\n";
+  };
+  for (const auto& [x, y] : {std::pair{0, 0}, {100, -90}, {200, 0}, {200, 100}}) add(x, y, 16);
+  for (const auto& [x, y] : {std::pair{0, 0}, {200, 0}, {200, 100}}) add(x, y, 8);
+  EXPECT_NEAR(area_of(read_text(dxf_with_blocks(text + "0\nSEQEND\n"), plain), 0), 200 * 100 / 2, 1e-6);
+}
+
 TEST(PlainDxf, SplinesThatBulgeOutwardsAreHeld) {
   const std::vector<ControlledSpline> splines{
       {2, {0, 0, 0, 1, 1, 1}, {{0, 0}, {200, 400}, {400, 0}}},
