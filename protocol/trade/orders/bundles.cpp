@@ -1,6 +1,8 @@
 #include "protocol/trade/orders/bundles.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 #include "protocol/json/json_text.h"
 
@@ -40,10 +42,11 @@ class Bundler {
   Bundler(Style& style, const Order& order) : style_{style}, order_{order} {}
 
   Result<std::vector<PieceCopy>> make() {
+    std::set<std::string> materials;
+    for (const PatternPiece& piece : style_.pieces) materials.insert(piece.material);
     keep_material();
     if (style_.pieces.empty()) {
-      return Error{ErrorCode::kOutOfRange,
-                   "no piece of the style is of material " + json::shortened(Json(order_.material)), "/material"};
+      return unknown_material(materials);
     }
     settle_nap();
     int bundles = 0;
@@ -61,6 +64,15 @@ class Bundler {
   }
 
  private:
+  [[nodiscard]] Error unknown_material(const std::set<std::string>& materials) const {
+    std::string known;
+    for (const std::string& one : materials) known += (known.empty() ? "" : ", ") + json::shortened(Json(one));
+    return {ErrorCode::kOutOfRange,
+            "no piece of the style is of material " + json::shortened(Json(order_.material)) + "; its materials are " +
+                known,
+            "/material"};
+  }
+
   void keep_material() {
     if (!order_.material.empty()) {
       std::erase_if(style_.pieces, [&](const PatternPiece& piece) { return piece.material != order_.material; });

@@ -149,20 +149,26 @@ class TableReader {
   explicit TableReader(std::string_view text) : lines_{text}, encoding_{encoding_of(text)} {}
 
   Result<Order> read() {
-    const auto heading = lines_.next();
+    auto heading = lines_.next();
+    const auto is_heading = [](std::string_view line) {  // not blank, nor the "sep=;" of spreadsheets
+      return !trimmed(line).empty() && !in_capitals(trimmed(line)).starts_with("SEP=");
+    };
+    while (heading && !is_heading(*heading)) heading = lines_.next();
     for (const char separator : {',', '\t', ';'}) {
       if (heading && heading->find(separator) != std::string_view::npos) separator_ = separator;
     }
     if (heading) sizes_ = row(*heading);
     while (sizes_.size() > 1 && (sizes_.back().empty() || is_sum(sizes_.back()))) {
       if (!sizes_.back().empty()) {
-        order_.notes.push_back({line_field(1), "the column " + json::shortened(Json(sizes_.back())) + " is left out"});
+        order_.notes.push_back(
+            {line_field(lines_.number()), "the column " + json::shortened(Json(sizes_.back())) + " is left out"});
       }
       sizes_.pop_back();
       ++unread_columns_;
     }
     if (sizes_.size() < 2) {
-      return Error{ErrorCode::kMissingField, "the order's first line must name the sizes: colour,S,M,L", line_field(1)};
+      return Error{ErrorCode::kMissingField, "the order's first line must name the sizes: colour,S,M,L",
+                   line_field(std::max<std::size_t>(lines_.number(), 1))};
     }
     while (const auto line = lines_.next()) {
       if (trimmed(*line).empty()) continue;

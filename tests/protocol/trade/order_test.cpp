@@ -52,11 +52,12 @@ TEST(Order, TableGivesTheRatioByItsGreatestCommonDivisor) {
 }
 
 TEST(Order, TablesOfSpreadsheetsAreRead) {
-  for (const char* table : {"colour,S,M\nred,1200,20\n",
-                            "\xef\xbb\xbf"
-                            "colour;S;M\r\nred;1.200;20\r\n",
-                            "colour\tS\tM\nred\t1 200\t20.00\n", "colour,S,M,Total\n\"red, dark\",\"1,200\",20,1220\n",
-                            "colour,S,M,,\nred,1'000,15,,\nblue,200,5,,\nTOTAL,1200,20,,\n"}) {
+  for (const char* table :
+       {"colour,S,M\nred,1200,20\n",
+        "\xef\xbb\xbf"
+        "colour;S;M\r\nred;1.200;20\r\n",
+        "colour\tS\tM\nred\t1 200\t20.00\n", "colour,S,M,Total\n\"red, dark\",\"1,200\",20,1220\n",
+        "sep=;\n\ncolour;S;M\nred;1200;20\n", "colour,S,M,,\nred,1'000,15,,\nblue,200,5,,\nTOTAL,1200,20,,\n"}) {
     const auto order = read_order(table);
     ASSERT_TRUE(order) << table << order.error().message;
     std::vector<std::pair<std::string, int>> sums{{"S", 0}, {"M", 0}};
@@ -84,6 +85,13 @@ TEST(Order, MistakesNameTheirPlace) {
   EXPECT_EQ(read_order("colour,S\nred,many\n").error().field, "/line/2");
   EXPECT_EQ(read_order("").error().code, ErrorCode::kMissingField);
   ReadingOptions options;
+  options.rules = test::example("polypattern_like.rul");
+  options.order = "{\"ratio\": {\"S\": 1}, \"material\": \"shl\"}";
+  const auto unknown = protocol::files::read_file(test::example("polypattern_like.dxf"), options);
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().message.find("its materials are"), std::string::npos) << unknown.error().message;
+  EXPECT_NE(unknown.error().message.find("\"SHL\""), std::string::npos) << unknown.error().message;
+  options.rules.reset();
   options.order = "{\"ratio\": {\"XXS\": 1}}";
   const auto file = protocol::files::read_file(test::example("polypattern_like.dxf"), options);
   ASSERT_FALSE(file);
