@@ -94,6 +94,18 @@ Polygon widened(std::span<const Vec> polygon, const Box& by) {
   return ring_of(tree.Childs.front()->Contour);
 }
 
+Polygon outer_boundary(std::span<const Vec> ring) {
+  ClipperLib::Clipper clipper{ClipperLib::ioStrictlySimple};
+  clipper.AddPath(path_of(ring), ClipperLib::ptSubject, true);
+  ClipperLib::PolyTree tree;
+  clipper.Execute(ClipperLib::ctUnion, tree, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  const auto largest = std::max_element(tree.Childs.begin(), tree.Childs.end(),
+                                        [](const ClipperLib::PolyNode* a, const ClipperLib::PolyNode* b) {
+                                          return ClipperLib::Area(a->Contour) < ClipperLib::Area(b->Contour);
+                                        });
+  return largest == tree.Childs.end() ? Polygon{} : ring_of((*largest)->Contour);
+}
+
 std::vector<Region> left_over(const Box& box, const std::vector<Polygon>& taken) {
   ClipperLib::Clipper clipper{ClipperLib::ioStrictlySimple};
   const Polygon whole{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};

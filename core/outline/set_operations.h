@@ -23,6 +23,10 @@ namespace selvage::outline {
 // is counter-clockwise.
 [[nodiscard]] Polygon widened(std::span<const Vec> polygon, const Box& by);
 
+// The largest outer boundary of what a ring that may cross itself encloses (non-zero winding), counter-clockwise and
+// with holes filled.  Empty if the ring encloses nothing.
+[[nodiscard]] Polygon outer_boundary(std::span<const Vec> ring);
+
 // The connected regions of the box outside all rings of `taken` (non-zero winding), sorted.  Parts that are connected
 // only at single points may be returned as one region or as two.
 [[nodiscard]] std::vector<Region> left_over(const Box& box, const std::vector<Polygon>& taken);

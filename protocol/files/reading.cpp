@@ -72,7 +72,15 @@ Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& option
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (text.size() > json::kMaxFileBytes) return formats::read_marker(text);  // its error names the limit
-  switch (kind_of(text).value_or(FileKind::kJson)) {
+  const auto kind = kind_of(text);
+  if (!kind) {
+    auto file = formats::read_marker(text);
+    if (file) return file;
+    Error error = file.error();
+    error.message += "; nor does it begin like a DXF, SVG, ESICUP XML, cut or HPGL file";
+    return error;
+  }
+  switch (*kind) {
     case FileKind::kDxf: return read_dxf(text, options);
     case FileKind::kSvg: return one_garment(text, options, trade::svg::read_svg_pattern);
     case FileKind::kEsicup: return trade::esicup::read_esicup(text, options);

@@ -11,6 +11,7 @@
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/loops.h"
+#include "protocol/trade/outlines/crossings.h"
 
 namespace selvage::protocol::trade {
 namespace {
@@ -153,6 +154,14 @@ class FileMaker {
 }  // namespace
 
 Result<MarkerFile> file_of(PlacedMarker marker, const ReadingOptions& options) {
+  auto file = FileMaker{marker, options}.make();
+  if (file || file.error().code != ErrorCode::kSelfIntersecting) return file;
+  for (PlacedPattern& piece : marker.pieces) {
+    const auto repair = uncross(piece.outline, piece.name);
+    if (!repair) continue;
+    for (Spot& point : piece.outline) point = rounded(point);
+    marker.notes.push_back({piece.field, *repair});
+  }
   return FileMaker{std::move(marker), options}.make();
 }
 

@@ -8,6 +8,8 @@
 #include "core/marker/marker.h"
 #include "protocol/document/frame.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/json/json_text.h"
+#include "protocol/trade/outlines/crossings.h"
 #include "protocol/trade/text.h"
 
 namespace selvage::protocol::trade {
@@ -167,8 +169,8 @@ class MarkerMaker {
     }
   }
 
-  // Converts a pointer into the native format to the line of the pattern piece that it concerns.
-  [[nodiscard]] std::string field_in_file(const std::string& field) const {
+  // The pattern piece that a pointer into the native format concerns.
+  [[nodiscard]] std::optional<std::size_t> pattern_of(const std::string& field) const {
     const auto number = [&](std::string_view prefix) -> std::size_t {
       std::size_t value{};
       std::from_chars(field.data() + prefix.size(), field.data() + field.size(), value);
@@ -178,12 +180,21 @@ class MarkerMaker {
     std::size_t pattern = style_.pieces.size();
     if (field.starts_with(kShapes)) pattern = number(kShapes);
     if (field.starts_with(kPieces) && number(kPieces) < copies_.size()) pattern = copies_[number(kPieces)].pattern;
-    if (pattern >= style_.pieces.size() || style_.pieces[pattern].line == 0) return field;
-    return line_field(style_.pieces[pattern].line);
+    return pattern < style_.pieces.size() ? std::optional{pattern} : std::nullopt;
   }
 
+  // The line of that piece in its file, as a pointer.
+  [[nodiscard]] std::string field_in_file(const std::string& field) const {
+    const auto pattern = pattern_of(field);
+    return pattern && style_.pieces[*pattern].line > 0 ? line_field(style_.pieces[*pattern].line) : field;
+  }
+
+  // Names the piece as well: its line says little to those who see only the drawing.
   [[nodiscard]] Error renamed(const Error& error) const {
     Error named = error;
+    if (const auto pattern = pattern_of(error.field)) {
+      named.message = "piece " + json::shortened(Json(style_.pieces[*pattern].name)) + ": " + error.message;
+    }
     named.field = field_in_file(error.field);
     return named;
   }
@@ -221,7 +232,16 @@ std::vector<PieceCopy> one_of_each(const Style& style) {
 }
 
 Result<MarkerFile> marker_of(const Style& style, const std::vector<PieceCopy>& copies, const ReadingOptions& options) {
-  return MarkerMaker{style, copies, options}.make();
+  auto file = MarkerMaker{style, copies, options}.make();
+  if (file || file.error().code != ErrorCode::kSelfIntersecting) return file;
+  Style repaired = style;
+  for (PatternPiece& piece : repaired.pieces) {
+    const auto repair = uncross(piece.outline, piece.name);
+    if (!repair) continue;
+    for (Spot& point : piece.outline) point = rounded(point);
+    repaired.notes.push_back({piece.line > 0 ? line_field(piece.line) : "", *repair});
+  }
+  return MarkerMaker{repaired, copies, options}.make();
 }
 
 }  // namespace selvage::protocol::trade

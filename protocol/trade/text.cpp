@@ -152,10 +152,15 @@ std::optional<std::string_view> Lines::next() {
   if (end == std::string_view::npos) {
     rest_ = {};
   } else {
-    const bool pair = rest_[end] == '\r' && end + 1 < rest_.size() && rest_[end + 1] == '\n';
-    rest_.remove_prefix(end + (pair ? 2 : 1));
+    const std::string_view ending = rest_.substr(end, 3);
+    const std::size_t length = ending == "\r\r\n" ? 3 : ending.starts_with("\r\n") ? 2 : 1;
+    rest_.remove_prefix(end + length);
   }
   return line;
+}
+
+bool Lines::only_blanks_left() const {
+  return trimmed(rest_).empty();
 }
 
 std::string_view trimmed(std::string_view text) {

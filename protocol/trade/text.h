@@ -8,11 +8,12 @@
 
 namespace selvage::protocol::trade {
 
-// The lines of a text, ended by LF, CR LF or CR.
+// The lines of a text, ended by LF, CR LF or CR, or by CR CR LF, which copying between systems makes of CR LF.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_{text} {}
   [[nodiscard]] std::optional<std::string_view> next();
+  [[nodiscard]] bool only_blanks_left() const;
   [[nodiscard]] std::size_t number() const { return number_; }  // of the line that next() returned; 1 is the first
 
  private:

@@ -234,14 +234,18 @@ bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline
          (std::all_of(outline.begin(), outline.end(), above) || std::all_of(outline.begin(), outline.end(), below));
 }
 
+void mirror_piece(PatternPiece& piece) {
+  const document::Frame over{true, 0, {}};
+  for (Spot& point : piece.outline) point = over.apply(point);
+  std::reverse(piece.outline.begin() + 1, piece.outline.end());
+  piece.annotations = placed(piece.annotations, over);
+}
+
 void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece) {
   double fold = turn.apply(block.mirror_lines.front().first).y, middle = 0;
   for (const Spot& point : piece.outline) middle += point.y / static_cast<double>(piece.outline.size());
   if (middle < fold) {
-    const document::Frame over{true, 0, {}};
-    for (Spot& point : piece.outline) point = over.apply(point);
-    std::reverse(piece.outline.begin() + 1, piece.outline.end());
-    piece.annotations = placed(piece.annotations, over);
+    mirror_piece(piece);
     fold = -fold;
   }
   double low = fold;
@@ -267,7 +271,7 @@ double turn_of_grain(const PatternBlock& block, std::vector<Note>& notes) {
   double turn = -std::atan2(dy, dx) * 180 / std::numbers::pi;
   if (dx == 0 || dy == 0) turn = dx > 0 ? 0 : dx < 0 ? 180 : dy > 0 ? -90 : 90;  // exactly
   if (turn != 0) {
-    notes.push_back(note_at(block.line, "turned by " + json::number_text(std::round(turn * 1000) / 1000) +
+    notes.push_back(note_at(block.line, "turned by " + json::number_text(std::round(turn * 1e6) / 1e6 + 0.0) +
                                             " degrees: its grain did not lie along +x"));
   }
   return turn;

@@ -25,6 +25,8 @@ void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& 
 // edges on a mirror line along the grain, beyond which nothing lies.  A mirror line across the grain is noted.
 [[nodiscard]] bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline,
                                    std::vector<Note>& notes);
+// The piece's mirror image about its grain.
+void mirror_piece(PatternPiece& piece);
 // Flips the half piece if its mirror line is its upper side, so that it becomes the lower side, exactly straight.
 // `turn`: from the block to the piece.  REQUIRES: may_lie_on_fold of the block.
 void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "protocol/trade/dxf/curves.h"
+#include "protocol/trade/dxf/text_lines.h"
 
 namespace selvage::protocol::trade::aama {
 namespace {
@@ -117,9 +118,16 @@ class BlockReader {
   }
 
   void read_text(const Entity& entity) {
-    const std::string text = decoded(entity.text(1), reading_.encoding);
-    if (text.empty() || entity.vertices.empty()) return;
-    const Spot at = spot_of(entity.vertices.front());
+    if (entity.vertices.empty()) return;
+    const double height = entity.number(40).value_or(0);
+    Spot at = spot_of(entity.vertices.front());
+    for (const std::string& text : dxf::text_lines(entity, reading_.encoding)) {
+      read_line(text, at, entity);
+      at.y -= 1.5 * height;
+    }
+  }
+
+  void read_line(const std::string& text, Spot at, const Entity& entity) {
     if (text.front() == '#') {
       const auto rule = whole_number_in(trimmed(std::string_view{text}.substr(1)));
       if (rule) block_.graded_points.push_back({*rule, at, entity.line});
@@ -185,10 +193,11 @@ bool enlarge_shallow_notches(std::vector<PatternBlock>& blocks) {
 }
 
 std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text) {
-  const std::size_t colon = text.find(':');
+  const std::size_t colon = std::min(text.find(':'), text.find('='));
   if (colon == std::string_view::npos) return std::nullopt;
   std::string key = in_capitals(trimmed(text.substr(0, colon)));
   if (key == "UNIT") key = "UNITS";
+  if (key == "QTY" || key == "QTY.") key = "QUANTITY";
   if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) return std::nullopt;
   return std::pair{std::move(key), std::string{trimmed(text.substr(colon + 1))}};
 }

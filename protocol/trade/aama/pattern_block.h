@@ -37,6 +37,7 @@ struct PatternBlock {
   std::vector<Spot> unmirrored_spots;  // the positions of "NM"
   std::vector<std::pair<Spot, Spot>> grains, mirror_lines, grade_references;  // layers 7, 6, 5
   std::vector<GradedPoint> graded_points;
+  int inserted{}, inserted_mirrored{};  // how often, as drawn and mirrored; inserts.h
   std::size_t line{};
 
   [[nodiscard]] const std::string* text(const std::string& key) const;
@@ -56,7 +57,8 @@ struct BlockReading {
 // whether there are such depths.  Units: millimetres.
 bool enlarge_shallow_notches(std::vector<PatternBlock>& blocks);
 
-// "Piece Name:  FRONT" as its key in capitals and its value; none if the text is not such a pair with a known key.
+// "Piece Name:  FRONT", or with = for the colon, as its key in capitals and its value; none if the text is not such a
+// pair with a known key.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text);
 
 }  // namespace selvage::protocol::trade::aama

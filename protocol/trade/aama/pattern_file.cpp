@@ -9,9 +9,11 @@
 #include "protocol/json/json_text.h"
 #include "protocol/trade/aama/finishing.h"
 #include "protocol/trade/aama/grading.h"
+#include "protocol/trade/aama/inserts.h"
 #include "protocol/trade/aama/pattern_block.h"
 #include "protocol/trade/aama/piece_texts.h"
 #include "protocol/trade/aama/rule_table.h"
+#include "protocol/trade/dxf/text_lines.h"
 #include "protocol/trade/dxf/units.h"
 
 namespace selvage::protocol::trade::aama {
@@ -33,7 +35,7 @@ class StyleReader {
     if (enlarge_shallow_notches(blocks_)) {
       style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
     }
-    check_inserts();
+    follow_inserts(drawing_, encoding_, blocks_, style_.notes);
     share_texts();
     if (const auto error = make_pieces(*unit)) return *error;
     note_what_was_skipped();
@@ -44,17 +46,19 @@ class StyleReader {
   void settle_encoding() {
     std::string bytes;
     std::size_t line = 0;
-    const auto look_at = [&](std::span<const dxf::Entity> entities) {
-      for (const dxf::Entity& entity : entities) {
-        const std::string_view text = entity.text(1);
-        if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
-          continue;
-        if (line == 0) line = entity.line;
-        bytes.append(text).append("\n");
-      }
+    const auto look_at = [&](std::string_view text, std::size_t on_line) {
+      if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; })) return;
+      if (line == 0) line = on_line;
+      bytes.append(text).append("\n");
     };
-    look_at(drawing_.entities);
-    for (const dxf::Block& block : drawing_.blocks) look_at(block.entities);
+    const auto look_at_all = [&](std::span<const dxf::Entity> entities) {
+      for (const dxf::Entity& entity : entities) look_at(entity.text(1), entity.line);
+    };
+    look_at_all(drawing_.entities);
+    for (const dxf::Block& block : drawing_.blocks) {
+      look_at(block.name, block.line);
+      look_at_all(block.entities);
+    }
     const Encoding encoding = encoding_of(bytes, drawing_.code_page);
     encoding_ = encoding;
     if (encoding != Encoding::kUtf8) {
@@ -64,17 +68,14 @@ class StyleReader {
 
   void read_file_texts() {
     for (const dxf::Entity& entity : drawing_.entities) {
-      if (entity.type != "TEXT") continue;
-      const std::string text = decoded(entity.text(1), encoding_);
-      if (auto pair = key_and_value(text)) texts_.emplace(std::move(*pair));
+      read_texts(entity, [](const std::string&) { return true; });
     }
     style_.name = text_or_empty(texts_, "STYLE NAME");
     style_.sample_size = text_or_empty(texts_, "SAMPLE SIZE");
     for (const dxf::Block& block : drawing_.blocks) {  // some writers state it in every block instead
       for (const dxf::Entity& entity : block.entities) {
         if (texts_.contains("UNITS")) break;
-        const auto pair = entity.type == "TEXT" ? key_and_value(entity.text(1)) : std::nullopt;
-        if (pair && pair->first == "UNITS") texts_.insert(*pair);
+        read_texts(entity, [](const std::string& key) { return key == "UNITS"; });
       }
     }
     for (const auto& [key, name] :
@@ -83,10 +84,20 @@ class StyleReader {
     }
   }
 
+  // Keeps the texts of the whole file whose keys are wanted.
+  template <class Wanted>
+  void read_texts(const dxf::Entity& entity, Wanted wanted) {
+    if (entity.type != "TEXT" && entity.type != "MTEXT") return;
+    for (const std::string& text : dxf::text_lines(entity, encoding_)) {
+      auto pair = key_and_value(text);
+      if (pair && wanted(pair->first)) texts_.emplace(std::move(*pair));
+    }
+  }
+
   std::optional<Error> read_blocks(double unit) {
     BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}};
     for (const dxf::Block& block : drawing_.blocks) {
-      if (block.name.starts_with('*')) continue;  // model and paper space
+      if (block.name.starts_with('*') && !in_capitals(block.name).starts_with("*U")) continue;  // spaces, dimensions
       PatternBlock read = read_pattern_block(block, reading);
       if (read.boundary.empty()) {
         style_.notes.push_back(note_at(block.line, "block " + in_quotes(read.name) + " has no boundary; left out"));
@@ -105,30 +116,6 @@ class StyleReader {
                 " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires.  Ask for plain DXF to read every "
                 "closed outline as a piece",
             ""};
-  }
-
-  void check_inserts() {
-    std::set<std::string, std::less<>> known;
-    std::map<std::string, int, std::less<>> inserted;
-    for (const dxf::Block& block : drawing_.blocks) known.insert(decoded(block.name, encoding_));
-    for (const dxf::Entity& entity : drawing_.entities) {
-      if (entity.type != "INSERT") continue;
-      const std::string name = decoded(entity.text(2), encoding_);
-      if (!known.contains(name)) {
-        style_.notes.push_back(
-            note_at(entity.line, "INSERT of block " + in_quotes(name) + ", which is not in the file"));
-      }
-      ++inserted[name];
-    }
-    if (inserted.empty()) return;
-    for (const PatternBlock& block : blocks_) {
-      const auto times = inserted.find(block.name);
-      if (times != inserted.end() && times->second == 1) continue;
-      const std::string what = times == inserted.end()
-                                   ? " is never inserted; read all the same"
-                                   : " is inserted " + std::to_string(times->second) + " times; its quantity counts";
-      style_.notes.push_back(note_at(block.line, "block " + in_quotes(block.name) + what));
-    }
   }
 
   [[nodiscard]] std::string name_of_piece(const PatternBlock& block) {
@@ -266,7 +253,10 @@ class StyleReader {
     piece.size = size;
     for (const Spot& point : *outline) piece.outline.push_back(rounded(turn.apply(point)));
     piece.annotations = rounded(placed(block.annotations, turn));
-    if (half) lay_on_fold(block, turn, piece);
+    if (half)
+      lay_on_fold(block, turn, piece);
+    else if (block.inserted == 0 && block.inserted_mirrored > 0)
+      mirror_piece(piece);
     check_extent(piece, notes);
     if (!grading || grading->noted) style_.notes.insert(style_.notes.end(), notes.begin(), notes.end());
     style_.pieces.push_back(std::move(piece));

@@ -14,7 +14,7 @@ namespace {
 
 // The words and numbers of a quantity, apart: "L1 R1" has four.  None when there is anything else.
 std::optional<std::vector<std::string>> tokens_of(std::string_view text) {
-  constexpr std::string_view kDigits = "0123456789.", kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ", kBetween = " \t,;/=:+";
+  constexpr std::string_view kDigits = "0123456789.", kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ", kBetween = " \t,;/=:+()";
   const std::string capitals = in_capitals(text);
   std::vector<std::string> tokens;
   for (std::size_t at = 0; at < capitals.size();) {
@@ -36,10 +36,12 @@ struct SaidQuantity {
   bool sides{};  // it says which copies are mirrored
 };
 
-// "2", "1,1" (right and left), "L1 R1", "1 pair", "2 pcs".
+// "2", "1,1" (right and left), "2 (1+1)", "L1 R1", "1 pair", "2 pcs", "cut 2 on fold".
 std::optional<SaidQuantity> quantity_in(std::string_view text) {
-  const auto tokens = tokens_of(text);
+  static const std::set<std::string, std::less<>> kUnimportant{"CUT", "QTY", "QUANTITY", "ON", "FOLD"};
+  auto tokens = tokens_of(text);
   if (!tokens) return std::nullopt;
+  std::erase_if(*tokens, [](const std::string& token) { return kUnimportant.contains(token); });
   std::vector<int> numbers;
   std::vector<std::string> words;
   for (const std::string& token : *tokens) {
@@ -57,8 +59,10 @@ std::optional<SaidQuantity> quantity_in(std::string_view text) {
            std::all_of(words.begin(), words.end(), [&](const auto& word) { return known.contains(word); });
   };
   if (words.empty() && numbers.size() == 1) return SaidQuantity{{numbers[0], 0}, false};
+  const bool sum = numbers.size() == 3 && numbers[0] == numbers[1] + numbers[2];
+  if (words.empty() && sum) return SaidQuantity{{numbers[1], numbers[2]}, true};
   if (words.empty() && numbers.size() == 2) return SaidQuantity{{numbers[0], numbers[1]}, true};
-  if (words.size() == 1 && numbers.size() < 2 && all_of({"PAIR", "PAIRS"})) {
+  if (words.size() == 1 && numbers.size() < 2 && all_of({"PAIR", "PAIRS", "PR", "PRS"})) {
     const int pairs = numbers.empty() ? 1 : numbers[0];
     return SaidQuantity{{pairs, pairs}, true};
   }
@@ -72,6 +76,18 @@ std::optional<SaidQuantity> quantity_in(std::string_view text) {
     (words[k].front() == 'R' ? said.quantity.right : said.quantity.left) = numbers[k];
   }
   return said;
+}
+
+// A text such as "CUT 1 PAIR" or "QTY 1,1", which is no pair of key and value; null if there is none.
+const std::string* free_quantity(const PatternBlock& block) {
+  const auto begins = [](const std::string& text) {
+    const std::string capitals = in_capitals(text);
+    return capitals.starts_with("CUT ") || capitals.starts_with("QTY ") || capitals.starts_with("QUANTITY ");
+  };
+  for (const document::DrawnText& one : block.annotations.texts) {
+    if (begins(one.text) && quantity_in(one.text)) return &one.text;
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -98,8 +114,13 @@ PatternPiece described(const PatternBlock& block, const std::string& name, std::
     if (const std::string* text = block.text(key)) piece.attributes[attribute] = *text;
   }
   const std::string* said = block.text("QUANTITY");
+  if (!said && (said = free_quantity(block))) {
+    notes.push_back(note_at(block.line, "no Quantity: the text " + in_quotes(*said) + " is taken for it"));
+  }
   const auto quantity = said ? quantity_in(*said) : std::nullopt;
-  if (!said) {
+  if (!said && block.inserted > 0 && block.inserted_mirrored > 0) {
+    piece.quantity = {block.inserted, block.inserted_mirrored};
+  } else if (!said) {
     notes.push_back(note_at(block.line, "no quantity: 1"));
   } else if (!quantity) {
     notes.push_back(note_at(block.line, "the quantity " + in_quotes(*said) +

@@ -17,9 +17,9 @@ Error bad_rule(std::size_t line, const std::string& what) {
   return {ErrorCode::kSyntax, "line " + std::to_string(line) + " of the rule table: " + what, line_field(line)};
 }
 
-// The words of a line, separated by blanks and commas.
+// The words of a line, separated by blanks, commas and the like; "S" and (0.5 0.25) are written, too.
 std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view kSeparators = " \t,";
+  constexpr std::string_view kSeparators = " \t,;()\"";
   std::vector<std::string_view> words;
   while (true) {
     const std::size_t from = line.find_first_not_of(kSeparators);

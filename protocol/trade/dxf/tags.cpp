@@ -24,6 +24,7 @@ bool looks_like_dxf(std::string_view text) {
   if (text.starts_with(kBinarySentinel)) return true;
   Lines lines{text};
   while (const auto code = lines.next()) {
+    if (trimmed(*code).empty()) continue;  // before the first group
     const auto value = lines.next();
     if (!value) return false;
     const auto number = whole_number_in(trimmed(*code));
@@ -42,9 +43,9 @@ Result<std::vector<Tag>> read_tags(std::string_view text) {
   while (const auto code_line = lines.next()) {
     const std::string_view code_text = trimmed(*code_line);
     const std::size_t line = lines.number();
+    if (code_text.empty() && (tags.empty() || lines.only_blanks_left())) continue;  // around the file's groups
     const auto value = lines.next();
     if (!value) {
-      if (code_text.empty()) break;  // a last line without a value
       return Error{ErrorCode::kSyntax, "line " + std::to_string(line) + ": the file ends after a group code",
                    line_field(line)};
     }

@@ -33,7 +33,19 @@ std::optional<LengthUnit> unit_of_text(std::string_view text) {
                                      {"IMPERIAL", LengthUnit::kInch},
                                      {"INCH", LengthUnit::kInch},
                                      {"INCHES", LengthUnit::kInch},
-                                     {"IN", LengthUnit::kInch}};
+                                     {"IN", LengthUnit::kInch},
+                                     {"\"", LengthUnit::kInch},
+                                     {"FOOT", LengthUnit::kFoot},
+                                     {"FEET", LengthUnit::kFoot},
+                                     {"FT", LengthUnit::kFoot},
+                                     {"YARD", LengthUnit::kYard},
+                                     {"YARDS", LengthUnit::kYard},
+                                     {"YD", LengthUnit::kYard},
+                                     {"METER", LengthUnit::kMetre},
+                                     {"METERS", LengthUnit::kMetre},
+                                     {"METRE", LengthUnit::kMetre},
+                                     {"METRES", LengthUnit::kMetre},
+                                     {"M", LengthUnit::kMetre}};
   text = trimmed(text);
   const std::string capitals = in_capitals(text.substr(0, text.find_first_of(" (")));  // "Metric (mm)"
   for (const Known& known : kWords) {

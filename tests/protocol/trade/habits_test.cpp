@@ -4,55 +4,36 @@
 
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "protocol/document/annotations.h"
 #include "protocol/trade/text.h"
 #include "tests/protocol/trade/example.h"
+#include "tests/protocol/trade/pattern_text.h"
 
 namespace selvage {
 namespace {
 
 using protocol::files::read_file;
 using protocol::trade::ReadingOptions;
+using test::Corners;
 using test::extent_of;
+using test::file_of;
 using test::has_note;
+using test::kOutline;
+using test::named;
 using test::pieces_of;
+using test::polyline;
 using test::read_text;
-using Corners = std::vector<std::pair<double, double>>;
-
-const Corners kOutline{{0, 0}, {300, 0}, {300, 200}, {120, 260}, {0, 200}};
-
-std::string tag(int code, const std::string& value) {
-  return std::to_string(code) + "\n" + value + "\n";
-}
-std::string spot(double x, double y, int code = 10) {
-  return tag(code, std::to_string(x)) + tag(code + 10, std::to_string(y));
-}
-std::string text(const std::string& content, double x = 0, double y = 0) {
-  return tag(0, "TEXT") + tag(8, "1") + spot(x, y) + tag(1, content);
-}
-std::string polyline(const Corners& corners, bool closed, const std::string& layer = "1") {
-  std::string out = tag(0, "POLYLINE") + tag(8, layer) + tag(70, closed ? "1" : "0");
-  for (const auto& [x, y] : corners) out += tag(0, "VERTEX") + tag(8, layer) + spot(x, y);
-  return out + tag(0, "SEQEND");
-}
-// A file with the block's entities, entities behind the INSERT, and the header's tags.
-std::string file_of(const std::string& block, const std::string& entities = text("Units: METRIC"),
-                    const std::string& header = "") {
-  return tag(0, "SECTION") + tag(2, "HEADER") + header + tag(0, "ENDSEC") + tag(0, "SECTION") + tag(2, "BLOCKS") +
-         tag(0, "BLOCK") + tag(2, "B") + block + tag(0, "LINE") + tag(8, "7") + spot(20, 100) + spot(280, 100, 11) +
-         tag(0, "ENDBLK") + tag(0, "ENDSEC") + tag(0, "SECTION") + tag(2, "ENTITIES") + tag(0, "INSERT") + tag(2, "B") +
-         spot(0, 0) + entities + tag(0, "ENDSEC") + tag(0, "EOF");
-}
-std::string named(const std::string& name, const std::string& outline = polyline(kOutline, true)) {
-  return text("Piece Name: " + name) + outline;
-}
+using test::spot;
+using test::tag;
+using test::text;
 TEST(UnitText, IsKnownInItsSpellings) {
   for (const auto& [said, millimetres] : {std::pair{"Units: MILLIMETERS", 300.0},
                                           {"UNITS: Metric (mm)", 300.0},
                                           {"UNIT: centimetres", 3000.0},
-                                          {"Units: Inches", 7620.0}}) {
+                                          {"Units: Inches", 7620.0},
+                                          {"Units = FEET", 91440.0},
+                                          {"Units: YARDS", 274320.0}}) {
     EXPECT_NEAR(extent_of(read_text(file_of(named("A"), text(said))), "A").x, millimetres, 1e-6) << said;
   }
 }
@@ -83,6 +64,12 @@ TEST(QuantityText, IsKnownInItsSpellings) {
                           {"2.0", 2, 0},
                           {"x2", 2, 0},
                           {"3 pcs", 3, 0},
+                          {"Cut 2", 2, 0},
+                          {"cut 1 on fold", 1, 0},
+                          {"QTY 1,1", 1, 1},
+                          {"Cut 1 pair", 1, 1},
+                          {"2 prs", 2, 2},
+                          {"2 (1+1)", 1, 1},
                           {"2", 2, 0}}) {
     const MarkerFile file = read_text(file_of(named("A") + text(std::string{"Quantity: "} + one.said)));
     std::size_t flipped = 0;
@@ -90,6 +77,13 @@ TEST(QuantityText, IsKnownInItsSpellings) {
     EXPECT_EQ(file.marker.pieces.size(), one.right + one.left) << one.said;
     EXPECT_EQ(flipped, one.left) << one.said;
   }
+}
+
+TEST(QuantityText, MayStandInATextOfAnotherForm) {
+  for (const char* said : {"QTY 1,1", "QTY: 1,1", "Quantity = 1,1", "CUT 1 PAIR"}) {
+    EXPECT_EQ(read_text(file_of(named("A") + text(said))).marker.pieces.size(), 2U) << said;
+  }
+  EXPECT_EQ(read_text(file_of(named("A") + text("CUT HERE"))).marker.pieces.size(), 1U);
 }
 
 TEST(QuantityText, WhatIsNotUnderstoodIsOneWithANote) {
