@@ -11,7 +11,8 @@ Pieces may touch each other and the strip's edges.  Two pieces with an `overlap`
 them, no longer than the smaller of their two, separates them; it is looked for among fractions, too.  Prints each violation; exit status 1 if there is any.
 
 Pieces keep cloth's rules: the distances `below` and `above` from the long edges, the piece's own or else the strip's; `from`
-and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins; `fold`, on which its lowest side lies, or its highest one on the upper edge of a tube; and all pieces of one shade
+and `to`, between which a piece lies along the strip; `match`, a point that lies where a repeat of the cloth begins or,
+with the same `matchSet`, whole repeats from that of the other pieces; `fold`, on which its lowest side lies, or its highest one on the upper edge of a tube; and all pieces of one shade
 lie within the length `shade`.  A piece with the rule `zone` is a part of the cloth: it may lie anywhere and over other
 zones, but no piece may overlap it, unless the zone has a `quality` that is at most the piece's; its own allowance is 0.  A `part` of a piece, an outline of
 its own, has a quality of its own: it may not overlap zones that are worse.
@@ -267,7 +268,7 @@ def violations(layout):
     scaled = lambda rules: {k: v if isinstance(v, (bool, str)) or k in ("rotation", "quality") else [whole(c) for c in v] if isinstance(v, list) else whole(v)
                             for k, v in rules.items() if k != "part"}
     strip = {"height": height, "tube": layout.get("tube", False), **{key: whole(layout[key]) for key in ("below", "above") if key in layout}}
-    sound, shaded = [], []
+    sound, shaded, sets = [], [], {}
     for written in layout["pieces"]:
         outline = [(whole(x), whole(y)) for x, y in written["outline"]]
         own = written.get("rules", {})
@@ -295,8 +296,12 @@ def violations(layout):
         rules = scaled(written.get("rules", {}))
         for broken in broken_rules(piece, rules, strip):
             yield f"piece {piece.name} {broken}"
-        for axis in off_repeat(rules["match"], scaled(repeat)) if "match" in rules else ():
-            yield f"piece {piece.name} is not matched to the cloth along {axis}"
+        if "match" in rules:
+            name = rules.get("matchSet")
+            origin = {"phase": sets.setdefault(name, rules["match"])} if name else {}  # of a set: its first match point
+            to_what = f'its match set "{name}"' if name else "the cloth"
+            for axis in off_repeat(rules["match"], {**scaled(repeat), **origin}):
+                yield f"piece {piece.name} is not matched to {to_what} along {axis}"
         if "shade" in rules:
             shaded.append((rules["shade"], piece))
     if "shade" in layout:

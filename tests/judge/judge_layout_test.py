@@ -160,6 +160,13 @@ class ClothsRules(Judged):
         self.breaks("along y", square, repeat=repeat, rules=[{"match": [17, 16]}])
         self.keeps(square, repeat={"across": 10}, rules=[{"match": [17 + LEAST, 10]}])
 
+    def test_match_points_of_a_set_lie_whole_repeats_apart(self):
+        squares = box(0, 0, 20, 20), box(40, 0, 20, 20)
+        repeat = {"along": 10, "phase": [7, 0]}
+        rules = lambda x: [{"match": [5, 5], "matchSet": "A"}, {"match": [x, 5], "matchSet": "A"}]
+        self.keeps(*squares, repeat=repeat, rules=rules(45))
+        self.breaks('match set "A" along x', *squares, repeat=repeat, rules=rules(45 + LEAST))
+
     def test_shades_may_have_the_full_allowed_length(self):
         squares = box(10, 0, 10, 10), box(60, 0, 10, 10), box(90, 0, 10, 10)
         rules = [{"shade": "A"}, {"shade": "A"}, {"shade": "B"}]
