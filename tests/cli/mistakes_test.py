@@ -32,6 +32,11 @@ class BadUsage(CliTest):
                 self.assertEqual(ran.returncode, BAD_USAGE)
                 self.assertIn(message, ran.stderr)
 
+    def test_json_that_cannot_be_read_is_refused_with_its_option(self):
+        ran = run("push", MARKERS / "jeans_02g.json", "--forces", "{")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("/forces: not JSON", ran.stderr)
+
     def test_help_lists_the_exit_codes(self):
         ran = run("compact", "--help")
         self.assertEqual(ran.returncode, OK)

@@ -52,14 +52,16 @@ class Nest(CliTest):
             self.assertEqual(json.loads(ran.stdout)["length_after"], length)
             self.assertEqual(run("check", self.path("out.json")).returncode, OK)
 
-    def test_ctrl_c_keeps_the_best(self):
-        process = subprocess.Popen([SELVAGE, "nest", self.write(self.instance()), "--moves", "1000000000000",
-                                    "-o", self.path("out.json")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.wait_until_sigint_is_handled(process.pid)
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=120)
-        self.assertEqual(process.returncode, CANCELLED)
-        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+    def test_ctrl_c_and_sigterm_keep_the_best(self):
+        for stop in (signal.SIGINT, signal.SIGTERM):
+            out = self.path(f"{stop.name}.json")
+            process = subprocess.Popen([SELVAGE, "nest", self.write(self.instance()), "--moves", "1000000000000", "-o", out],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.wait_until_sigint_is_handled(process.pid)
+            process.send_signal(stop)
+            process.communicate(timeout=120)
+            self.assertEqual(process.returncode, CANCELLED)
+            self.assertEqual(run("check", out).returncode, OK)
 
     def test_keeps_placed_pieces_if_asked_to(self):
         document = squares((30, 50))
@@ -99,11 +101,12 @@ class Nest(CliTest):
 
     def test_sheets_may_have_outlines(self):
         document = squares()
+        document.pop("name", None)
         document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
         hide = '[{"outline": [[0, 0], [100, 0], [50, 100]]}]'
         ran = run("nest", self.write(document), "--moves", 200, "--sheets", hide)
         self.assertEqual(ran.returncode, OK, ran.stderr)
-        self.assertIn("1 sheet\n  sheet 1      kind 1, 1 pieces", ran.stdout)
+        self.assertIn("marker: 1 sheet\n  sheet 1      kind 1, 1 pieces", ran.stdout)
 
     def test_refuses_sheets_that_it_cannot_read(self):
         document = squares((0, 0))

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "protocol/json/fields.h"
 #include "protocol/json/json_text.h"
 
 namespace selvage::cli::parameters {
@@ -155,7 +156,8 @@ Result<Json> parameter_value(const ParameterOption& option, const Value& value) 
   if (const auto* number = std::get_if<double>(&value)) return Json(*number / option.divisor);
   if (const auto* text = std::get_if<std::string>(&value)) {
     if (kind_of(resolved(option.parameter.type))) return Json(*text);
-    return protocol::json::parse(*text);
+    auto parsed = protocol::json::parse(*text);
+    return parsed ? parsed : protocol::json::within("/" + std::string{option.parameter.name}, parsed.error());
   }
   Json list = Json::array();
   for (const double number : std::get<std::vector<double>>(value)) list.push_back(number);

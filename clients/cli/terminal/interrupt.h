@@ -1,4 +1,5 @@
-// Turns Ctrl-C (SIGINT) into a stop request.  The first Ctrl-C requests a stop; the second ends the process as usual.
+// Turns Ctrl-C (SIGINT), and the SIGTERM of timeout and of batch systems, into a stop request.  The first signal requests
+// a stop; the second ends the process as usual.
 #pragma once
 
 #include <stop_token>
@@ -8,7 +9,7 @@ namespace selvage::cli::terminal {
 
 class Interrupt {
  public:
-  // Blocks SIGINT for the process.  REQUIRES: constructed once, before any other thread is started.
+  // Blocks both signals for the process.  REQUIRES: constructed once, before any other thread is started.
   Interrupt();
   ~Interrupt();
   Interrupt(const Interrupt&) = delete;
