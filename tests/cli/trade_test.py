@@ -5,6 +5,7 @@ usage: trade_test.py SELVAGE EXAMPLES
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -75,6 +76,22 @@ class Convert(unittest.TestCase):
                 boundary = next(e for e in insert.virtual_entities() if e.dxf.layer == "1" and e.dxftype() == "POLYLINE")
                 found = sorted((round(p.x, 4), round(p.y, 4)) for p in boundary.points())
                 self.assertEqual(found, sorted((round(x, 4), round(y, 4)) for x, y in piece["outline"]))
+
+    def test_notes_of_the_same_text_are_printed_once_with_their_number(self):
+        ran = self.convert(EXAMPLES / "accumark_like_nest.dxf", self.path("o.json"))
+        notes = [re.sub(r"/line/\d+: ", "", line) for line in ran.stderr.splitlines()]
+        self.assertEqual(len(notes), len(set(notes)), ran.stderr)
+        self.assertIn("a half piece, unfolded about its mirror line (3 times)", ran.stderr)
+
+    def test_unplaced_pieces_that_a_format_cannot_list_are_noted(self):
+        source = self.path("m.json")
+        self.convert(EXAMPLES / "polypattern_like.dxf", source)
+        marker = json.loads(source.read_text())
+        marker["unplaced"] = [{key: value for key, value in marker["pieces"].pop().items() if key in ("id", "shape")}]
+        source.write_text(json.dumps(marker))
+        for name, noted in (("o.dxf", True), ("o.cut", True), ("o.json", False), ("o.xml", False)):
+            ran = self.convert(source, self.path(name))
+            self.assertEqual("1 unplaced piece is left out" in ran.stderr, noted, name)
 
     def test_reading_options(self):
         out = self.path("o.json")

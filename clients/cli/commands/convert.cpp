@@ -35,6 +35,7 @@ ExitCode write_as(const MarkerFile& file, FileFormat format, const std::string& 
   const auto text = text_of(file, format, server);
   if (const auto* failure = std::get_if<terminal::Failure>(&text)) return terminal::report(*failure);
   if (const auto error = terminal::write_text(path, std::get<std::string>(text))) return terminal::report(*error);
+  terminal::note_left_out(file.marker, format);
   return ExitCode::kOk;
 }
 

@@ -8,6 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include "clients/cli/terminal/style.h"
 #include "protocol/files/writing.h"
@@ -88,17 +91,38 @@ Result<MarkerFile> load_marker(const std::string& path, const protocol::trade::R
 std::optional<Error> save_marker(const std::string& path, const MarkerFile& file, protocol::files::FileFormat format) {
   const auto text = protocol::files::write_marker(file, format);
   if (!text) return text.error();
-  return write_text(path, *text);
+  if (auto error = write_text(path, *text)) return error;
+  note_left_out(file.marker, format);
+  return std::nullopt;
+}
+
+void note_left_out(const Marker& marker, protocol::files::FileFormat format) {
+  using protocol::files::FileFormat;
+  static constexpr FileFormat kListing[] = {FileFormat::kNative, FileFormat::kSparrow, FileFormat::kEsicup,
+                                            FileFormat::kOutlines};
+  const std::size_t count = marker.unplaced.size();
+  const bool listing = std::find(std::begin(kListing), std::end(kListing), format) != std::end(kListing);
+  if (count == 0 || listing) return;
+  print_notes({{"", std::to_string(count) + (count == 1 ? " unplaced piece is" : " unplaced pieces are") +
+                        " left out; native, sparrow and esicup files list them"}});
 }
 
 void print_notes(const std::vector<Note>& notes) {
-  constexpr std::size_t kMostPrinted = 5;
-  for (std::size_t i = 0; i < std::min(kMostPrinted, notes.size()); ++i) {
-    std::cerr << Style{STDERR_FILENO}.faint("note:") << " " << (notes[i].field.empty() ? "" : notes[i].field + ": ")
-              << notes[i].text << "\n";
+  constexpr std::size_t kMostPrinted = 10;
+  std::vector<std::pair<const Note*, std::size_t>> different;  // the first of each text, and how many there are
+  std::map<std::string_view, std::size_t> known;
+  for (const Note& note : notes) {
+    const auto [place, fresh] = known.emplace(note.text, different.size());
+    if (fresh) different.emplace_back(&note, 0);
+    ++different[place->second].second;
   }
-  if (notes.size() > kMostPrinted)
-    std::cerr << Style{STDERR_FILENO}.faint("note:") << " and " << notes.size() - kMostPrinted << " more\n";
+  const std::string head = Style{STDERR_FILENO}.faint("note:") + " ";
+  for (std::size_t i = 0; i < std::min(kMostPrinted, different.size()); ++i) {
+    const auto& [note, times] = different[i];
+    std::cerr << head << (note->field.empty() ? "" : note->field + ": ") << note->text
+              << (times > 1 ? " (" + std::to_string(times) + " times)" : "") << "\n";
+  }
+  if (different.size() > kMostPrinted) std::cerr << head << "and " << different.size() - kMostPrinted << " more\n";
 }
 
 }  // namespace selvage::cli::terminal

@@ -188,10 +188,19 @@ class NestingReader {
       written.pieces.push_back(std::move(piece));
       attributes.pieces.push_back(Json::object());
     }
-    for (const auto& [id, piece] : lot_) {
+    for (const std::string& id : order_) {
+      const LotPiece& piece = lot_.at(id);
       if (copies[id] == piece.quantity) continue;
       style_.notes.push_back({"", "the solution places " + std::to_string(copies[id]) + " of the " +
                                       std::to_string(piece.quantity) + " copies of " + json::shortened(Json(id))});
+      while (copies[id] < piece.quantity) {
+        formats::DecimalPiece left_over;
+        left_over.shape = id;
+        left_over.piece.id = id + " " + std::to_string(++copies[id]);
+        left_over.piece.orientation.rotation = Angle::of_degrees(piece.angles.front());
+        written.unplaced.push_back(std::move(left_over));
+        attributes.unplaced.push_back(Json::object());
+      }
     }
     auto file = formats::on_lattice(written, std::move(attributes), Format::kNative);
     if (!file) return file;

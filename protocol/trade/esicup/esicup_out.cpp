@@ -34,7 +34,8 @@ class NestingWriter {
       write_lot_piece(lot, key, copies, polygon);
       write_polygon(polygons, polygon, key.second ? transformed(shape.outline, Symmetry{true, 0}) : shape.outline, 0);
     }
-    write_solution(nesting.append_child("solutions").append_child("solution"));
+    pugi::xml_node solutions = nesting.append_child("solutions");
+    if (!marker_.pieces.empty()) write_solution(solutions.append_child("solution"));
     std::ostringstream out;
     document_.save(out, "  ");
     return out.str();
@@ -59,6 +60,7 @@ class NestingWriter {
     for (const Piece& piece : marker_.pieces) {
       if (!piece.rules.zone) ++copies_[{piece.shape.value, piece.orientation.flip}];
     }
+    for (const Piece& piece : marker_.unplaced) ++copies_[{piece.shape.value, piece.orientation.flip}];
   }
 
   void write_board(pugi::xml_node boards) {

@@ -160,6 +160,10 @@ Result<Style> read_svg_pattern(std::string_view text, const ReadingOptions& opti
         ErrorCode::kSyntax,
         "no well-formed SVG: " + std::string{parsed.description()} + " at byte " + std::to_string(parsed.offset), ""};
   }
+  if (svg.find_child_by_attribute("rect", "class", "page") && svg.find_child_by_attribute("rect", "class", "cloth")) {
+    return Error{ErrorCode::kUnknownFormat,
+                 "this is a drawing of a marker, which is not to scale; read the marker from which it was made", ""};
+  }
   Style style;
   const auto drawn = drawn_lines(svg, text.size(), options, style.notes);
   if (!drawn) return drawn.error();

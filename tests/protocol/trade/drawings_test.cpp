@@ -10,6 +10,7 @@
 
 #include "core/marker/validity.h"
 #include "protocol/document/annotations.h"
+#include "protocol/files/writing.h"
 #include "tests/protocol/trade/example.h"
 
 namespace selvage {
@@ -48,6 +49,28 @@ TEST(SvgIn, HiddenElementsAreNoPieces) {
                     square + "<path style=\"visibility: hidden\"" + square + "<path d=\"M200 0H400V100H200z\"/>"));
   ASSERT_EQ(file.marker.pieces.size(), 1U);
   EXPECT_NEAR(area_of(file, 0), 200 * 100, 1e-6);
+}
+
+TEST(SvgIn, TheDrawingOfAMarkerIsRefused) {
+  const MarkerFile file = test::read_example("polypattern_like.dxf");
+  const auto drawing = protocol::files::write_marker(file, protocol::files::FileFormat::kSvg);
+  ASSERT_TRUE(drawing);
+  const auto back = read_file(*drawing);
+  ASSERT_FALSE(back);
+  EXPECT_NE(back.error().message.find("not to scale"), std::string::npos) << back.error().message;
+}
+
+TEST(EsicupOut, ListsUnplacedPieces) {
+  const MarkerFile file = read_text(
+      R"({"format": "selvage-marker", "version": 1, "strip": {"width": 100},
+          "shapes": [{"id": "a", "outline": [[0, 0], [50, 0], [50, 30]], "rotations": [90, 0]}],
+          "pieces": [{"id": "1", "shape": "a", "at": [0, 0]}], "unplaced": [{"id": "2", "shape": "a"}, {"id": "3", "shape": "a"}]})");
+  const auto text = protocol::files::write_marker(file, protocol::files::FileFormat::kEsicup);
+  ASSERT_TRUE(text);
+  const MarkerFile back = read_text(*text);
+  EXPECT_EQ(back.marker.pieces.size(), 1U);
+  ASSERT_EQ(back.marker.unplaced.size(), 2U);
+  EXPECT_EQ(back.marker.unplaced[0].orientation.rotation.degrees, 90);
 }
 
 TEST(SvgIn, LinesOfSeveralElementsFormAnOutline) {
