@@ -157,7 +157,7 @@ Result<MarkerFile> file_of(PlacedMarker marker, const ReadingOptions& options) {
   auto file = FileMaker{marker, options}.make();
   if (file || file.error().code != ErrorCode::kSelfIntersecting) return file;
   for (PlacedPattern& piece : marker.pieces) {
-    const auto repair = uncross(piece.outline, piece.name);
+    const auto repair = outlines::uncross(piece.outline, piece.name);
     if (!repair) continue;
     for (Spot& point : piece.outline) point = rounded(point);
     marker.notes.push_back({piece.field, *repair});

@@ -236,7 +236,7 @@ Result<MarkerFile> marker_of(const Style& style, const std::vector<PieceCopy>& c
   if (file || file.error().code != ErrorCode::kSelfIntersecting) return file;
   Style repaired = style;
   for (PatternPiece& piece : repaired.pieces) {
-    const auto repair = uncross(piece.outline, piece.name);
+    const auto repair = outlines::uncross(piece.outline, piece.name);
     if (!repair) continue;
     for (Spot& point : piece.outline) point = rounded(point);
     repaired.notes.push_back({piece.line > 0 ? line_field(piece.line) : "", *repair});

@@ -1,5 +1,5 @@
-// Turns Ctrl-C (SIGINT), and the SIGTERM of timeout and of batch systems, into a stop request.  The first signal requests
-// a stop; the second ends the process as usual.
+// Turns Ctrl-C (SIGINT), and the SIGTERM of timeout and of batch systems, into a stop request.  The first signal
+// requests a stop; the second ends the process as usual.
 #pragma once
 
 #include <stop_token>

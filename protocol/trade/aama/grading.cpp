@@ -20,7 +20,7 @@ Spot sum(Spot a, Spot b) {
 // How the points of one block move.
 class Movements {
  public:
-  Movements(const PatternBlock& block, const RuleTable& table, std::size_t size, double unit,
+  Movements(const PatternBlock& block, const rules::RuleTable& table, std::size_t size, double unit,
             std::vector<Note>* notes) {
     double degrees = 0;
     if (!block.grade_references.empty()) {
@@ -127,8 +127,8 @@ class Mover {
 
 }  // namespace
 
-void grade(PatternBlock& block, std::vector<Spot>& outline, const RuleTable& table, std::size_t size, double unit,
-           std::vector<Note>* notes) {
+void grade(PatternBlock& block, std::vector<Spot>& outline, const rules::RuleTable& table, std::size_t size,
+           double unit, std::vector<Note>* notes) {
   const Movements movements{block, table, size, unit, notes};
   const auto by = along(outline, true, movements);
   if (!by) {

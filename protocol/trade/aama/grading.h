@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "protocol/trade/aama/pattern_block.h"
-#include "protocol/trade/aama/rule_table.h"
+#include "protocol/trade/rules/rule_table.h"
 
 namespace selvage::protocol::trade::aama {
 
 // `size` is the position of the size in the table; `unit` is that of the table, in millimetres.
 // Every oddity is noted once for each block: call it with `notes` for one size only.
-void grade(PatternBlock& block, std::vector<Spot>& outline, const RuleTable& table, std::size_t size, double unit,
-           std::vector<Note>* notes);
+void grade(PatternBlock& block, std::vector<Spot>& outline, const rules::RuleTable& table, std::size_t size,
+           double unit, std::vector<Note>* notes);
 
 }  // namespace selvage::protocol::trade::aama

@@ -12,9 +12,9 @@
 #include "protocol/trade/aama/inserts.h"
 #include "protocol/trade/aama/pattern_block.h"
 #include "protocol/trade/aama/piece_texts.h"
-#include "protocol/trade/aama/rule_table.h"
 #include "protocol/trade/dxf/text_lines.h"
 #include "protocol/trade/dxf/units.h"
+#include "protocol/trade/rules/rule_table.h"
 
 namespace selvage::protocol::trade::aama {
 namespace {
@@ -162,9 +162,9 @@ class StyleReader {
   }
 
   std::optional<Error> make_pieces(double unit) {
-    std::optional<RuleTable> table;
+    std::optional<rules::RuleTable> table;
     if (options_.rules) {
-      auto read = read_rule_table(*options_.rules);
+      auto read = rules::read_rule_table(*options_.rules);
       if (!read) return json::within("/rules", read.error());
       table = *std::move(read);
       style_.sizes = table->sizes;
@@ -201,13 +201,13 @@ class StyleReader {
     return std::nullopt;
   }
 
-  [[nodiscard]] static double table_unit(const RuleTable& table, double unit) {
+  [[nodiscard]] static double table_unit(const rules::RuleTable& table, double unit) {
     const auto said = dxf::unit_of_text(table.units);
     return said ? in_millimetres(*said) : unit;
   }
 
   // A block in each size of the table.
-  std::optional<Error> grade_block(std::size_t k, const RuleTable& table, double unit) {
+  std::optional<Error> grade_block(std::size_t k, const rules::RuleTable& table, double unit) {
     const std::string& sample = table.sample_size.empty() ? style_.sample_size : table.sample_size;
     bool first = true;
     for (std::size_t size = 0; size < table.sizes.size(); ++size) {
@@ -220,7 +220,7 @@ class StyleReader {
   }
 
   struct Grading {
-    const RuleTable& table;
+    const rules::RuleTable& table;
     std::size_t size;
     double unit;
     bool sample;  // it is the size as drawn

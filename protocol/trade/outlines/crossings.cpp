@@ -7,7 +7,7 @@
 #include "core/outline/set_operations.h"
 #include "protocol/json/json_text.h"
 
-namespace selvage::protocol::trade {
+namespace selvage::protocol::trade::outlines {
 namespace {
 
 using document::Spot;
@@ -47,4 +47,4 @@ std::optional<std::string> uncross(std::vector<Spot>& outline, const std::string
          json::number_text(std::round(change * 1000) / 1000) + " mm2 are left out or filled";
 }
 
-}  // namespace selvage::protocol::trade
+}  // namespace selvage::protocol::trade::outlines

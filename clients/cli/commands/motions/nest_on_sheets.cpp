@@ -89,7 +89,8 @@ std::optional<Error> save_sheet(const MarkerFile& sheet, std::size_t number, con
 
 std::string summary_of(const std::string& name, const Json& fields) {
   const Json& sheets = fields["sheets"];
-  std::string text = (name.empty() ? "marker" : name) + ": " + std::to_string(sheets.size()) + (sheets.size() == 1 ? " sheet\n" : " sheets\n");
+  std::string text = (name.empty() ? "marker" : name) + ": " + std::to_string(sheets.size()) +
+                     (sheets.size() == 1 ? " sheet\n" : " sheets\n");
   for (std::size_t k = 0; k < sheets.size(); ++k) {
     char line[160];
     std::snprintf(line, sizeof line, "  sheet %-3zu    kind %zu, %zu pieces, utilisation %.2f %%\n", k + 1,

@@ -11,7 +11,7 @@
 #include "core/base/result.h"
 #include "protocol/trade/style.h"
 
-namespace selvage::protocol::trade::aama {
+namespace selvage::protocol::trade::rules {
 
 struct RuleTable {
   std::string name, sample_size;
@@ -25,4 +25,4 @@ struct RuleTable {
 // line.
 [[nodiscard]] Result<RuleTable> read_rule_table(std::string_view text);
 
-}  // namespace selvage::protocol::trade::aama
+}  // namespace selvage::protocol::trade::rules

@@ -1,4 +1,4 @@
-#include "protocol/trade/aama/rule_table.h"
+#include "protocol/trade/rules/rule_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "protocol/trade/dxf/tags.h"
 #include "protocol/trade/text.h"
 
-namespace selvage::protocol::trade::aama {
+namespace selvage::protocol::trade::rules {
 namespace {
 
 constexpr double kFarthestMovement = 1e5;  // of the table's unit
@@ -132,4 +132,4 @@ Result<RuleTable> read_rule_table(std::string_view text) {
   return TableReader{text}.read();
 }
 
-}  // namespace selvage::protocol::trade::aama
+}  // namespace selvage::protocol::trade::rules
