@@ -151,7 +151,7 @@ bool Exploration::accept(const layout::Layout& layout) {
   if (done->length_after >= length_) return false;
   best_ = std::move(done->marker);
   length_ = done->length_after;
-  on_better_({search_->moves(), length_});
+  on_better_({search_->moves(), length_}, best_);
   return true;
 }
 

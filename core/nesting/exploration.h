@@ -38,7 +38,7 @@ struct ClothEnd {
 
 class Exploration {
  public:
-  using OnBetter = std::function<void(const Improvement&)>;
+  using OnBetter = std::function<void(const Improvement&, const Marker&)>;
 
   // `best` is valid on an endless strip, places all pieces, and is what the search has to beat; `search` may be shared
   // with other explorations, one after another; `end`: nothing when the cloth does not end.

@@ -29,11 +29,11 @@ class Reporter {
  public:
   Reporter(const scene::Observer& observer, Coord length) : observer_{observer}, length_{length} {}
 
-  void report(const Improvement& improvement) {
+  void report(const Improvement& improvement, const Marker& marker) {
     const std::scoped_lock lock{mutex_};
     if (improvement.length >= length_) return;
     length_ = improvement.length;
-    observer_.on_round({++rounds_, length_});
+    observer_.on_round({.number = ++rounds_, .length = length_, .marker = &marker});
   }
 
  private:
@@ -137,7 +137,7 @@ Searched search_in_batches(const Task& task, const Budget& budget, const std::fu
       searched.best.marker = *std::move(marker);
       searched.length = length;
       searched.history.push_back({searched.moves, length});
-      reporter.report(searched.history.back());
+      reporter.report(searched.history.back(), searched.best.marker);
     }
   }
   return at_cloth_end(std::move(searched), task, budget, settings.seed, run);
@@ -166,11 +166,11 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
   const auto end = cloth_end(task);
   Searched searched;
   searched.length = kLatticeLimit;
-  const auto on_better = [&](const Improvement& improvement) {
+  const auto on_better = [&](const Improvement& improvement, const Marker& marker) {
     if (improvement.length >= searched.length) return;
     searched.length = improvement.length;
     searched.history.push_back(improvement);
-    reporter.report(improvement);
+    reporter.report(improvement, marker);
   };
   std::vector<bool> kept = task.set.fixed;
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
@@ -290,7 +290,7 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
     if (auto finish = finished(nesting.marker, start->set.fixed, settings.elapsed, run)) {
       nesting.marker = std::move(finish->marker);
       nesting.programs += finish->programs;
-      reporter.report({nesting.moves, finish->length});
+      reporter.report({nesting.moves, finish->length}, nesting.marker);
     }
   }
   nesting.length_before = length_of(given);

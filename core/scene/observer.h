@@ -9,6 +9,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/lp/linear_program.h"
+#include "core/marker/marker.h"
 
 namespace selvage::scene {
 
@@ -20,6 +21,7 @@ struct Round {
   // Of searches of all layouts: no marker is shorter, which is proved; and how many nodes were searched so far.
   std::optional<Coord> bound{};
   std::optional<std::uint64_t> nodes{};
+  const Marker* marker{};  // of nesting: the marker after the round, as long as on_round() runs; else null
 };
 
 // How large a linear program is.

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Drawings, calls, checks and conversions.  usage: files_test.py SELVAGE"""
 import json
+import resource
+import subprocess
 import unittest
 
-from command import BAD_INPUT, CliTest, FILE, MARKERS, NOT_VALID, OK, REFUSED, run, squares
+from command import BAD_INPUT, CliTest, FILE, MARKERS, NOT_VALID, OK, REFUSED, SELVAGE, run, squares
 
 
 class Drawing(CliTest):
@@ -148,6 +150,34 @@ class Check(CliTest):
         touching = self.write(squares((0, 0), (40, 0)))
         self.assertEqual(run("check", touching).returncode, OK)
         self.assertEqual(run("check", touching, "--spacing", "0.001").returncode, NOT_VALID)
+
+
+class Writing(CliTest):
+    def test_a_file_is_kept_when_its_successor_has_no_room(self):
+        drawing = self.path("out.svg")
+        drawing.write_text("the earlier one")
+
+        def little_room():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+
+        ran = subprocess.run([SELVAGE, "show", MARKERS / "jeans_02g.json", drawing], capture_output=True, text=True,
+                             preexec_fn=little_room, restore_signals=False)
+        self.assertEqual(ran.returncode, FILE)
+        self.assertIn(f"{drawing} cannot be written", ran.stderr)
+        self.assertEqual(drawing.read_text(), "the earlier one")
+        self.assertEqual([file.name for file in drawing.parent.iterdir()], ["out.svg"])
+
+    def test_a_link_stays_a_link_and_a_file_keeps_its_permissions(self):
+        drawing, link = self.path("out.svg"), self.path("link.svg")
+        drawing.write_text("")
+        drawing.chmod(0o600)
+        link.symlink_to(drawing)
+        for path in (drawing, link):
+            drawing.write_text("")
+            self.assertEqual(run("show", MARKERS / "jeans_02g.json", path).returncode, OK)
+            self.assertIn("</svg>", drawing.read_text())
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(drawing.stat().st_mode & 0o777, 0o600)
 
 
 class ShowAndConvert(CliTest):

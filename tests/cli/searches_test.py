@@ -3,6 +3,7 @@
 import json
 import signal
 import subprocess
+import time
 import unittest
 
 from command import BAD_INPUT, BAD_USAGE, CANCELLED, CliTest, MARKERS, OK, PACKING, PICTURES, REFUSED, SELVAGE, run, squares
@@ -62,6 +63,19 @@ class Nest(CliTest):
             process.communicate(timeout=120)
             self.assertEqual(process.returncode, CANCELLED)
             self.assertEqual(run("check", out).returncode, OK)
+
+    def test_the_drawing_shows_the_best_marker_while_the_search_continues(self):
+        drawing = self.path("nested.svg")
+        process = subprocess.Popen([SELVAGE, "nest", self.write(self.instance()), "--moves", "1000000000000", "--svg", drawing],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.kill)
+        while not drawing.exists():
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        self.assertTrue(drawing.read_text().rstrip().endswith("</svg>"))
+        self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), CANCELLED)
 
     def test_keeps_placed_pieces_if_asked_to(self):
         document = squares((30, 50))

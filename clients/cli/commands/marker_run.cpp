@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "clients/cli/commands/live_picture.h"
 #include "clients/cli/run/local.h"
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
@@ -107,6 +108,10 @@ std::variant<MethodRun, ExitCode> run_method(std::string_view name, Json params,
   const terminal::Interrupt interrupt;
   terminal::ProgressLine progress{file->marker, report == Report::kSummary && isatty(STDERR_FILENO) != 0,
                                   time_limit_of(*call, params)};
+  LivePicture picture{files.svg};
+  if (!files.svg.empty() && files.svg != terminal::kStandardStream) {
+    progress.show_markers([&picture](const Marker& marker) { picture.show(marker); });
+  }
   auto done = run_invocation({method, params, *call, *file}, files, begin, interrupt.token(), progress);
   if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
   return MethodRun{*std::move(file), std::get<Outcome>(std::move(done))};

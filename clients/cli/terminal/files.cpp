@@ -37,6 +37,42 @@ bool read_all(std::istream& stream, std::string& text) {
   return !stream.bad();
 }
 
+std::optional<Error> write_in_place(const std::string& path, std::string_view text) {
+  std::ofstream file{path, std::ios::binary | std::ios::trunc};
+  file << text << std::flush;
+  if (!file) return file_error(path, "written");
+  return std::nullopt;
+}
+
+// Whether a new file may take the place of what has the name: pipes, devices and links stay what they are.
+bool replaces(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::symlink_status(path, ignored);
+  return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
+}
+
+// Writes another file, which then takes the name.  So what the name stood for is there until all of the text is, also
+// when the disk is full.
+std::optional<Error> write_whole(const std::string& path, std::string_view text) {
+  namespace fs = std::filesystem;
+  std::error_code failed;
+  const std::string draft = path + ".part";
+  std::ofstream file{draft, std::ios::binary | std::ios::trunc};
+  if (!file) return write_in_place(path, text);  // the folder takes no new files
+  file << text << std::flush;
+  const int reason = errno;
+  if (file) {
+    file.close();
+    const auto before = fs::status(path, failed);
+    if (fs::exists(before)) fs::permissions(draft, before.permissions(), failed);
+    fs::rename(draft, path, failed);
+    if (!failed) return std::nullopt;
+  }
+  fs::remove(draft, failed);
+  errno = reason;
+  return file_error(path, "written");
+}
+
 }  // namespace
 
 Result<std::string> read_text(const std::string& path) {
@@ -58,10 +94,7 @@ std::optional<Error> write_text(const std::string& path, std::string_view text) 
     if (!std::cout) return file_error("standard output", "written");
     return std::nullopt;
   }
-  std::ofstream file{path, std::ios::binary | std::ios::trunc};
-  file << text << std::flush;
-  if (!file) return file_error(path, "written");
-  return std::nullopt;
+  return replaces(path) ? write_whole(path, text) : write_in_place(path, text);
 }
 
 std::optional<Error> why_not_writable(const std::string& path) {

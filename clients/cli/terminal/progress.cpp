@@ -42,7 +42,9 @@ scene::Observer ProgressLine::observer() {
               [this](const scene::Round& round) {
                 ShownRound shown{round.number, to_decimal(round.length, resolution_), std::nullopt, round.nodes};
                 if (round.bound) shown.bound = to_decimal(*round.bound, resolution_);
+                if (round.marker) shown.utilisation = utilisation_at(*round.marker, round.length);
                 show_round(shown);
+                if (round.marker) on_marker_(*round.marker);
               }};
 }
 
@@ -58,6 +60,7 @@ std::string ProgressLine::text(double elapsed_ms) const {
   if (round_.number == 0) return line;
   line += "  round " + std::to_string(round_.number) + "  " + length_text(round_.length) + " " + unit_;
   if (length_before_ > 0) line += " (" + change_text(length_before_, round_.length) + ")";
+  if (round_.utilisation) line += "  " + rounded(100 * *round_.utilisation, 2) + " %";
   if (round_.bound) line += "  bound " + length_text(*round_.bound) + " " + unit_;
   return round_.nodes ? line + "  " + std::to_string(*round_.nodes) + " nodes" : line;
 }

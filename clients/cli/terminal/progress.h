@@ -3,10 +3,12 @@
 
 #include <condition_variable>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "core/marker/marker.h"
 #include "core/scene/observer.h"
@@ -20,6 +22,7 @@ struct ShownRound {
   double length{};
   std::optional<double> bound{};  // a proved lower bound on the length
   std::optional<std::uint64_t> nodes{};
+  std::optional<double> utilisation{};  // 0..1
 };
 
 class ProgressLine {
@@ -28,6 +31,8 @@ class ProgressLine {
   // limit of the work, if there is one; the line then has a bar.
   ProgressLine(const Marker& marker, bool show, std::optional<double> seconds);
 
+  // Calls `on_marker` with every marker that nesting reports, from any thread, one after another.
+  void show_markers(std::function<void(const Marker&)> on_marker) { on_marker_ = std::move(on_marker); }
   // REQUIRES: *this outlives the observer.
   [[nodiscard]] scene::Observer observer();
   // Called after every round, from any thread.
@@ -49,6 +54,7 @@ class ProgressLine {
   protocol::execution::StageTimer timer_;
   std::mutex mutex_;  // guards the round
   ShownRound round_;
+  std::function<void(const Marker&)> on_marker_ = [](const Marker&) {};
   std::condition_variable_any ended_;
   std::jthread writer_;  // the only one that prints the line
 };
