@@ -1,15 +1,17 @@
 // Prints the table of optimal packings in docs/packing.md, with one line for each instance as soon as it is finished.
 //
-//   packing_table [--turns] [--nodes N] [--pivots N] [--seconds S] [--gap G] INSTANCE.json...
+//   packing_table [--turns] [--nodes N] [--pivots N] [--seconds S] [--after S] [--gap G] INSTANCE.json...
 //
-// Times are seconds of processor time; a search stops in the first round that ends after S of them.
+// Times are seconds of processor time; a search stops in the first round that ends after `--seconds` of them, and
+// prints what it knows so far in the first round that ends after `--after` of them.
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <limits>
 #include <stop_token>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "bench/packing/instance.h"
 #include "core/packing/pack.h"
@@ -23,8 +25,17 @@ double processor_seconds() {
 struct Options {
   bool turns{};
   double seconds{std::numeric_limits<double>::infinity()};
+  double after{std::numeric_limits<double>::infinity()};
   selvage::packing::PackSettings settings;
 };
+
+// The first columns of a row: what is known of an instance.
+void print_known(const selvage::Marker& marker, selvage::Coord length, selvage::Coord bound, const char* state,
+                 double seconds, std::uint64_t nodes) {
+  std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu |", marker.name.c_str(), marker.pieces.size(),
+              to_decimal(length, marker.resolution), to_decimal(bound, marker.resolution), state, seconds,
+              static_cast<unsigned long long>(nodes));
+}
 
 void print_row(const std::string& path, const Options& options) {
   using namespace selvage;
@@ -33,15 +44,20 @@ void print_row(const std::string& path, const Options& options) {
   std::stop_source stop;
   scene::Run run{sums, stop.get_token()};
   const double begun = processor_seconds();
-  run.observer.on_round = [&](const scene::Round&) {
-    if (processor_seconds() - begun >= options.seconds) stop.request_stop();
+  bool reported = false;
+  run.observer.on_round = [&](const scene::Round& round) {
+    const double seconds = processor_seconds() - begun;
+    if (seconds >= options.seconds) stop.request_stop();
+    if (seconds < options.after || std::exchange(reported, true)) return;
+    print_known(marker, round.length, round.bound.value_or(0), "so far", seconds, round.nodes.value_or(0));
+    std::printf("\n");
+    std::fflush(stdout);
   };
   const auto packing = packing::pack(marker, options.settings, run);
   const double seconds = processor_seconds() - begun;
-  std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu | %llu | %llu | %llu | %llu |\n", marker.name.c_str(),
-              marker.pieces.size(), to_decimal(packing.length_after, marker.resolution),
-              to_decimal(packing.bound, marker.resolution), packing.proved ? "proved" : "open", seconds,
-              static_cast<unsigned long long>(packing.work.nodes), static_cast<unsigned long long>(packing.work.pivots),
+  print_known(marker, packing.length_after, packing.bound, packing.proved ? "proved" : "open", seconds,
+              packing.work.nodes);
+  std::printf(" %llu | %llu | %llu | %llu |\n", static_cast<unsigned long long>(packing.work.pivots),
               static_cast<unsigned long long>(packing.work.looks),
               static_cast<unsigned long long>(packing.work.skipped),
               static_cast<unsigned long long>(packing.work.unproved));
@@ -64,6 +80,8 @@ int main(int count, char** words) {
       options.settings.limits.pivots = std::strtoull(words[++k], nullptr, 10);
     } else if (word == "--seconds" && k + 1 < count) {
       options.seconds = std::strtod(words[++k], nullptr);
+    } else if (word == "--after" && k + 1 < count) {
+      options.after = std::strtod(words[++k], nullptr);
     } else if (word == "--gap" && k + 1 < count) {
       options.settings.gap = std::strtod(words[++k], nullptr);
     } else {
