@@ -81,7 +81,9 @@ std::optional<RealBox> Relaxation::trim(const WedgeRing& wedges, Arc& arc, const
     include_if_free(box.low_x, box.high_y);
     include_if_free(box.high_x, box.high_y);
   }
-  for (std::uint32_t k = first + 1; k + 1 < end && !is_all_of(found, box); ++k) (void)is_empty(k);
+  for (std::uint32_t k = first + 1; k + 1 < end && !is_all_of(found, box); ++k) {
+    if (!wedges.lies_within((arc.first + k) % wedges.size(), box, found)) (void)is_empty(k);
+  }
   if (arc.count < wedges.size()) arc = {(arc.first + first) % wedges.size(), end - first};
   return found;
 }

@@ -129,6 +129,15 @@ Rooms rooms_of(const HalfPlane& plane, const RealBox& box) {
   return {std::min(x0, x1) + std::min(y0, y1) - plane.c, std::max(x0, x1) + std::max(y0, y1) - plane.c};
 }
 
+// Whether numbers from `a` or `b` on, away from the centre and up to the end of `low` to `high`, lie between
+// `part_low` and `part_high` for sure; corners are rounded by up to a unit.
+bool are_within(double a, double b, double centre, double low, double high, double part_low, double part_high) {
+  const double least = std::min(a, b) - kRaySlack;
+  const double most = std::max(a, b) + kRaySlack;
+  return (least > centre && least >= part_low && part_high >= high) ||
+         (most < centre && most <= part_high && part_low <= low);
+}
+
 }  // namespace
 
 WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski::Obstacle& obstacle, Vec offset) {
@@ -162,6 +171,7 @@ WedgeRing::WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski
     box_ = {std::min(box_.low_x, from.x), std::min(box_.low_y, from.y), std::max(box_.high_x, from.x),
             std::max(box_.high_y, from.y)};
   }
+  set_sectors();
 }
 
 bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const {
@@ -194,6 +204,14 @@ bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const 
     cell.count = other.count;
   }
   return cell.count > 0;
+}
+
+// Where the edge's ends lie on the same side of the centre along an axis, so does the wedge, and no nearer than they.
+bool WedgeRing::lies_within(std::uint32_t wedge, const RealBox& box, const RealBox& part) const {
+  const RealVec a = corners_[wedge];
+  const RealVec b = corners_[next(wedge)];
+  return are_within(a.x, b.x, centre_.x, box.low_x, box.high_x, part.low_x, part.high_x) &&
+         are_within(a.y, b.y, centre_.y, box.low_y, box.high_y, part.low_y, part.high_y);
 }
 
 // The wedges that rays to the box pass.
@@ -234,10 +252,20 @@ WedgeRing::Part WedgeRing::part_facing(Arc arc, const RealBox& box) const {
   return {begin, std::min(arc.count, end)};
 }
 
+std::size_t WedgeRing::sector_of(double angle) const {
+  const auto sector = static_cast<std::size_t>(angle * (static_cast<double>(angles_.size()) / geometry::kFullTurn));
+  return std::min(sector, angles_.size() - 1);
+}
+
+void WedgeRing::set_sectors() {
+  for (std::uint32_t k = 0; k < size(); ++k) sectors_.resize(sector_of(angles_[k]) + 1, k);
+  sectors_.resize(size(), size());
+}
+
 std::uint32_t WedgeRing::corner_before(double angle) const {
-  const auto after = std::upper_bound(angles_.begin(), angles_.end(), angle);
-  if (after == angles_.begin()) return size() - 1;
-  return static_cast<std::uint32_t>(after - angles_.begin()) - 1;
+  std::uint32_t after = sectors_[sector_of(angle)];
+  while (after < size() && angles_[after] <= angle) ++after;
+  return previous(after);
 }
 
 std::uint32_t WedgeRing::facing(RealVec p) const {

@@ -39,6 +39,11 @@ struct RealBox {
   [[nodiscard]] double height() const { return high_y - low_y; }
 };
 
+// Whether the point lies outside of the box, or on its border.
+[[nodiscard]] inline bool is_beside(const RealBox& box, RealVec p) {
+  return p.x <= box.low_x || p.x >= box.high_x || p.y <= box.low_y || p.y >= box.high_y;
+}
+
 // A convex polygon of at most seven corners: a box clipped by the three half-planes of a wedge.  Only the first `count`
 // corners are set: cells are the innermost loop of a search.
 struct Cell {
@@ -63,6 +68,8 @@ class WedgeRing {
   [[nodiscard]] RealVec centre() const { return centre_; }
   // Sets `cell` to the part of the box in a wedge.  False when there is none.
   [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
+  // Whether the part of `box` in a wedge lies in `part` for sure, a part of the box: cheaper than clipping.
+  [[nodiscard]] bool lies_within(std::uint32_t wedge, const RealBox& box, const RealBox& part) const;
   // The part of an arc that rays to the box pass: in its other wedges the box has no position.  Counted from the arc's
   // first wedge, and where the part of a whole ring goes on beyond the last one, `end` is more than its size.
   struct Part {
@@ -76,9 +83,7 @@ class WedgeRing {
   // Whether the point is outside of the ring for sure.
   [[nodiscard]] bool is_free(RealVec p) const { return is_beside(p) || depth(facing(p), p) <= 0; }
   // Whether the point lies outside of the ring's box.
-  [[nodiscard]] bool is_beside(RealVec p) const {
-    return p.x <= box_.low_x || p.x >= box_.high_x || p.y <= box_.low_y || p.y >= box_.high_y;
-  }
+  [[nodiscard]] bool is_beside(RealVec p) const { return cells::is_beside(box_, p); }
   // The corner of the sum at which the edge of the wedge starts; a unit off, at most, where two lines cross.
   [[nodiscard]] RealVec corner(std::uint32_t wedge) const { return corners_[wedge]; }
   // The wedge as half-planes: beyond its edge's line, after the ray through the edge's start, before that through its
@@ -108,14 +113,19 @@ class WedgeRing {
   struct Wedge {
     HalfPlane beyond, after, before;  // the edge's line, the ray through its start, the ray through its end
   };
+  // The last corner whose angle is not more, or else the last of all.
   [[nodiscard]] std::uint32_t corner_before(double angle) const;
+  [[nodiscard]] std::size_t sector_of(double angle) const;
+  void set_sectors();
   [[nodiscard]] Arc facing_box(const RealBox& box) const;
 
   RealVec centre_;
   std::vector<Wedge> wedges_;     // counter-clockwise
   std::vector<RealVec> corners_;  // at each wedge's start
   std::vector<double> angles_;    // of these corners; ascending
-  double angle_slack_{};          // by which one of these angles may be wrong
+  // The full turn in as many equal sectors as there are corners: the first corner that lies in each or behind it.
+  std::vector<std::uint32_t> sectors_;
+  double angle_slack_{};  // by which one of these angles may be wrong
   RealBox box_;
 };
 

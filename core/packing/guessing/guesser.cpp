@@ -30,8 +30,7 @@ double size_of(const WedgeRing& ring) {
 
 }  // namespace
 
-Guesser::Guesser(const Problem& problem)
-    : problem_{&problem}, bodies_{problem.bodies.size()}, ring_weights_(problem.rings.size(), 1.0) {
+Guesser::Guesser(const Problem& problem) : problem_{&problem}, bodies_{problem.bodies.size()} {
   for (const branching::Body& body : problem.bodies) {
     first_.push_back(chosen_);
     chosen_ += body.variants.size();
@@ -40,12 +39,16 @@ Guesser::Guesser(const Problem& problem)
   between_.resize(chosen_ * chosen_);
   for (const auto& [pair, rings] : problem.between) {
     const auto begin = static_cast<std::uint32_t>(rings_.size());
-    rings_.insert(rings_.end(), rings.begin(), rings.end());
+    for (const std::uint32_t ring : rings) rings_.push_back(&problem.rings[ring]);
     const Rings part{begin, static_cast<std::uint32_t>(rings_.size())};
     between_[chosen(pair.first.body, pair.first.variant) * chosen_ + chosen(pair.second.body, pair.second.variant)] =
         part;
   }
-  for (const WedgeRing& ring : problem.rings) sizes_.push_back(size_of(ring));
+  for (const WedgeRing* ring : rings_) {
+    boxes_.push_back(ring->box());
+    sizes_.push_back(size_of(*ring));
+  }
+  ring_weights_.resize(rings_.size(), 1.0);
   pair_weights_.resize(bodies_ * bodies_, 1.0);
 }
 
@@ -57,8 +60,8 @@ double Guesser::part(double low, double high) {
 // The part of the way from the ring's border to its centre, times the ring's size: unlike the depth below the line of
 // an edge, it changes without leaps from wedge to wedge.
 double Guesser::depth(std::uint32_t ring, RealVec way) const {
-  const WedgeRing& wedges = problem_->rings[ring];
-  if (wedges.is_beside(way)) return 0;
+  if (is_beside(boxes_[ring], way)) return 0;
+  const WedgeRing& wedges = *rings_[ring];
   const std::uint32_t wedge = wedges.facing(way);
   const double own = wedges.depth(wedge, way);
   if (own <= 0) return 0;
@@ -68,7 +71,7 @@ double Guesser::depth(std::uint32_t ring, RealVec way) const {
 double Guesser::pair_depth(std::size_t a, std::size_t b, RealVec way) const {
   const Rings rings = between(a, b);
   double sum = 0;
-  for (std::uint32_t k = rings.first; k < rings.end; ++k) sum += depth(rings_[k], way);
+  for (std::uint32_t k = rings.first; k < rings.end; ++k) sum += depth(k, way);
   return sum;
 }
 
@@ -78,8 +81,8 @@ double Guesser::loss(std::size_t body, const Placed& placed, double bound) const
   double sum = 0;
   const Rings fixed = between(chosen_ - 1, own);
   for (std::uint32_t k = fixed.first; k < fixed.end; ++k) {
-    const double found = depth(rings_[k], placed.at);
-    if (found > 0) sum += ring_weights_[rings_[k]] * found;
+    const double found = depth(k, placed.at);
+    if (found > 0) sum += ring_weights_[k] * found;
     if (sum >= bound) return sum;
   }
   for (std::size_t other = 0; other < bodies_; ++other) {
@@ -189,7 +192,7 @@ double Guesser::raise_weights() {
     const std::size_t own = chosen(body, placed_[body].variant);
     const Rings fixed = between(chosen_ - 1, own);
     for (std::uint32_t k = fixed.first; k < fixed.end; ++k) {
-      take(ring_weights_[rings_[k]], depth(rings_[k], placed_[body].at));
+      take(ring_weights_[k], depth(k, placed_[body].at));
     }
     for (std::size_t other = body + 1; other < bodies_; ++other) {
       const RealVec way{placed_[other].at.x - placed_[body].at.x, placed_[other].at.y - placed_[body].at.y};

@@ -65,12 +65,13 @@ class Guesser {
 
   const Problem* problem_;
   std::size_t bodies_, chosen_{};
-  std::vector<std::size_t> first_;    // by body: the number of its first variant
-  std::vector<Rings> between_;        // by two of these numbers, those of the lower body first; the world comes last
-  std::vector<std::uint32_t> rings_;  // of the problem
-  std::vector<double> sizes_;         // by ring
-  std::vector<double> ring_weights_;  // by ring: of fixed pieces
-  std::vector<double> pair_weights_;  // by two bodies
+  std::vector<std::size_t> first_;  // by body: the number of its first variant
+  std::vector<Rings> between_;      // by two of these numbers, those of the lower body first; the world comes last
+  std::vector<const cells::WedgeRing*> rings_;  // of the problem, those of a pair one after another
+  std::vector<cells::RealBox> boxes_;           // by ring: most rings are far from most positions
+  std::vector<double> sizes_;                   // by ring
+  std::vector<double> ring_weights_;            // by ring: of fixed pieces
+  std::vector<double> pair_weights_;            // by two bodies
   std::vector<Placed> placed_;
   std::vector<Candidate> candidates_;  // of the body that is being moved, the best first
   double least_{};                     // of the sums of overlaps since the start

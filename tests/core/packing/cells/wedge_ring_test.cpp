@@ -103,6 +103,47 @@ TEST(WedgeRing, HasNoPositionsInABoxBesideThePartThatFacesIt) {
   EXPECT_GT(found, 10'000);
 }
 
+// The position of a box at parts of its width and height.
+RealVec at_parts(const RealBox& box, double x, double y) {
+  return {box.low_x + x * box.width(), box.low_y + y * box.height()};
+}
+
+// Every position of a box that is in a wedge is in the part of the box that the wedge is said to lie within.
+TEST(WedgeRing, LiesWithinWhatItIsSaidTo) {
+  test::Random random{7};
+  int within = 0;
+  int found = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Coord extent = Coord{1} << random.between(12, 34);
+    SumCache sums;
+    const auto p = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+    const auto q = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+    const WedgeRing ring = rings_of(sums.obstacle({p, random.symmetry()}, {q, random.symmetry()}), {}).front();
+    const RealVec a = geometry::real(random.point(-2 * extent, 2 * extent));
+    const RealVec b = geometry::real(random.point(extent / 8, extent));
+    const RealBox box{a.x - b.x, a.y - b.y, a.x + b.x, a.y + b.y};
+    RealBox part = box;
+    const double inset = static_cast<double>(random.below(100)) / 100;
+    (trial % 2 == 0 ? part.low_x : part.high_x) = at_parts(box, trial % 2 == 0 ? inset : 1 - inset, 0).x;
+    if (trial % 3 == 0) part.low_y = at_parts(box, 0, inset).y;
+    std::vector<bool> lies(ring.size());
+    for (std::uint32_t k = 0; k < ring.size(); ++k) {
+      lies[k] = ring.lies_within(k, box, part);
+      within += lies[k] ? 1 : 0;
+    }
+    for (int step = 0; step < 41 * 41; ++step) {
+      const RealVec at = at_parts(box, step % 41 / 40.0, step / 41 / 40.0);
+      const std::uint32_t wedge = ring.facing(at);
+      if (!lies[wedge] || ring.depth(wedge, at) > 0) continue;
+      ++found;
+      const bool in_part = part.low_x <= at.x && at.x <= part.high_x && part.low_y <= at.y && at.y <= part.high_y;
+      EXPECT_TRUE(in_part) << "trial " << trial << ", step " << step;
+    }
+  }
+  EXPECT_GT(within, 1000);
+  EXPECT_GT(found, 3000);
+}
+
 TEST(WedgeRing, FacesTheWedgeOfAPoint) {
   SumCache sums;
   const auto square = sums.outline({{-500, -500}, {500, -500}, {500, 500}, {-500, 500}});
