@@ -71,7 +71,7 @@ std::optional<Split> best_split(const Relaxation& relaxation, const Problem& pro
     if (!found) continue;
     const RealBox& box = problem.rings[ring.ring].box();
     const double weight =
-        promise(found->depth - least, box.width() * box.height(), problem) * (1.0 + relaxation.conflicts(ring.ring));
+        promise(found->depth - least, box.width() * box.height(), problem) * (1.0 + relaxation.conflicts(ring));
     if (weight <= most) continue;
     most = weight;
     split = Split{k, found->wedge};

@@ -8,6 +8,7 @@ namespace selvage::packing::branching {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kOfThePair = 0.1;  // what a conflict of other rings of a pair counts
 
 }  // namespace
 
@@ -40,7 +41,8 @@ Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
       tuning_{tuning},
       columns_{columns_of(problem)},
       positions_(problem.bodies.size() + 1),
-      conflicts_(problem.rings.size()) {}
+      conflicts_(problem.rings.size()),
+      pair_conflicts_(positions_.size() * positions_.size()) {}
 
 std::optional<Node> Relaxation::undecided_root(double ceiling) {
   const std::size_t count = problem_->bodies.size();
@@ -210,6 +212,10 @@ bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, d
   if (bounds.raise(a, b, bound, why)) return true;
   conflict_ = why | bounds.why_upper(a, b);
   return false;
+}
+
+double Relaxation::conflicts(const RingState& ring) const {
+  return conflicts_[ring.ring] + kOfThePair * pair_conflicts_[pair_of(ring)];
 }
 
 void Relaxation::begin_at(Node& node) {

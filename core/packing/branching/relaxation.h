@@ -55,8 +55,9 @@ class Relaxation {
 
   // After one of these has found that no layout is left: the decisions from which that follows.
   [[nodiscard]] Reasons conflict() const { return conflict_; }
-  // How often a look at the ring has found so.
-  [[nodiscard]] std::uint32_t conflicts(std::uint32_t ring) const { return conflicts_[ring]; }
+  // How often a look at the ring has found so; looks at other rings of its bodies, or in other orientations, count for
+  // a part.
+  [[nodiscard]] double conflicts(const RingState& ring) const;
   // Decisions count from this node on: what is known at it holds anyway.
   void begin_at(Node& node);
 
@@ -83,6 +84,9 @@ class Relaxation {
   [[nodiscard]] RealBox pair_box(const Node& node, const RingState& ring) const;
   [[nodiscard]] bool raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, double bound, Reasons why);
   [[nodiscard]] bool raise_to(Node& node, const RingState& ring, const RealBox& box, Reasons why);
+  [[nodiscard]] std::size_t pair_of(const RingState& ring) const {
+    return ring.first * positions_.size() + ring.second;
+  }
   [[nodiscard]] static Reasons why_pair_box(const Node& node, const RingState& ring);
   [[nodiscard]] bool activate_pair(Node& node, const Chosen& first, const Chosen& second);
   [[nodiscard]] bool order_alike(Node& node, std::uint32_t body);
@@ -107,9 +111,10 @@ class Relaxation {
   Reasons conflict_{};
   std::vector<RealBox> wide_;  // where the bodies can be anyway; none before the first node
   std::vector<HalfPlane> hulls_;
-  std::vector<RealVec> points_;           // of the cells last gathered
-  std::vector<RealVec> positions_;        // of the bodies and the world, at the solution
-  std::vector<std::uint32_t> conflicts_;  // by ring of the problem
+  std::vector<RealVec> points_;                // of the cells last gathered
+  std::vector<RealVec> positions_;             // of the bodies and the world, at the solution
+  std::vector<std::uint32_t> conflicts_;       // by ring of the problem
+  std::vector<std::uint32_t> pair_conflicts_;  // by pair of bodies, the world included
   Work work_;
 };
 
