@@ -98,6 +98,25 @@ class Visibility {
   Stretches shown_, hidden_, rest_;
 };
 
+// The parts of one outline, and which of them are convex.
+struct Operand {
+  explicit Operand(std::span<const outline::StarPart> of) : parts{of} {
+    for (const outline::StarPart& part : parts) convex.push_back(is_convex(part.vertices));
+  }
+  [[nodiscard]] bool all_convex() const {
+    return std::all_of(convex.begin(), convex.end(), [](bool one) { return one; });
+  }
+  [[nodiscard]] std::vector<convolution::Turns> turns() const {
+    std::vector<convolution::Turns> turns;
+    turns.reserve(parts.size());
+    for (const outline::StarPart& part : parts) turns.emplace_back(part.vertices);
+    return turns;
+  }
+
+  std::span<const outline::StarPart> parts;
+  std::vector<bool> convex;
+};
+
 }  // namespace
 
 MinkowskiSum::MinkowskiSum(std::vector<convolution::StarSum> rings) : rings_{std::move(rings)} {
@@ -129,12 +148,17 @@ std::size_t MinkowskiSum::bytes() const {
 }
 
 MinkowskiSum minkowski_sum(std::span<const outline::StarPart> first, std::span<const outline::StarPart> second) {
+  const Operand p{first};
+  const Operand q{second};
+  const bool merging = p.all_convex() && q.all_convex();
+  const std::vector<convolution::Turns> of_p = merging ? std::vector<convolution::Turns>{} : p.turns();
+  const std::vector<convolution::Turns> of_q = merging ? std::vector<convolution::Turns>{} : q.turns();
   std::vector<convolution::StarSum> rings;
   rings.reserve(first.size() * second.size());
-  for (const outline::StarPart& a : first) {
-    const bool a_convex = is_convex(a.vertices);
-    for (const outline::StarPart& b : second) {
-      rings.push_back(a_convex && is_convex(b.vertices) ? convolution::convex_sum(a, b) : convolution::star_sum(a, b));
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t j = 0; j < second.size(); ++j) {
+      rings.push_back(p.convex[i] && q.convex[j] ? convolution::convex_sum(first[i], second[j])
+                                                 : convolution::star_sum({first[i], of_p[i]}, {second[j], of_q[j]}));
     }
   }
   return MinkowskiSum{std::move(rings)};

@@ -1,72 +1,18 @@
 #include "core/minkowski/convolution/reduced_convolution.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
-
-#include "core/geometry/pseudo_angle.h"
-
 namespace selvage::minkowski::convolution {
 namespace {
 
-// A direction: its pseudo angle in [0, 4), and the exact vector that decides nearly equal angles.
-struct Direction {
-  Vec vector;
-  double angle{};
-};
-Direction direction_of(Vec v) {
-  return {v, geometry::pseudo_angle(static_cast<double>(v.x), static_cast<double>(v.y))};
-}
-// Negative when a precedes b counter-clockwise from the x axis within one turn, positive when it follows; 0 when both
-// have the same direction.
-int order_of(const Direction& a, const Direction& b) {
-  constexpr double kClear = 1e-12;
-  if (std::abs(a.angle - b.angle) > kClear) return a.angle < b.angle ? -1 : 1;
-  const Wide turn = cross(a.vector, b.vector);
-  return static_cast<int>(turn < 0) - static_cast<int>(turn > 0);
-}
-bool before(const Direction& a, const Direction& b) {
-  return order_of(a, b) < 0;
-}
-
-// A part's edges, its convex vertices, and the order of its edges by direction.
-struct Turns {
-  explicit Turns(const Polygon& polygon) : edge(polygon.size()), convex(polygon.size()), by_direction(polygon.size()) {
-    const std::size_t n = polygon.size();
-    for (std::size_t i = 0; i < n; ++i) edge[i] = direction_of(polygon[i + 1 == n ? 0 : i + 1] - polygon[i]);
-    for (std::size_t i = 0; i < n; ++i) convex[i] = cross(edge[i == 0 ? n - 1 : i - 1].vector, edge[i].vector) > 0;
-    std::iota(by_direction.begin(), by_direction.end(), 0U);
-    std::sort(by_direction.begin(), by_direction.end(), [&](auto i, auto j) {
-      const int order = order_of(edge[i], edge[j]);
-      return order < 0 || (order == 0 && i < j);
-    });
-  }
-  [[nodiscard]] const Direction& into(std::size_t i) const { return edge[i == 0 ? edge.size() - 1 : i - 1]; }
-
-  std::vector<Direction> edge;  // edge i leaves vertex i
-  std::vector<char> convex;
-  std::vector<std::uint32_t> by_direction;
-};
-
-// Calls visit(edge) for every edge of `edges` whose direction lies in the turn from `in` to `out` (less than half a
-// turn).  The turn includes one of its two ends: `in` when `with_in` is true, otherwise `out`.
+// Calls visit(edge) for every edge of `edges` from position `begin` up to `end` of their order by direction, which is
+// cyclic.
 template <class Visit>
-void for_edges_in_turn(const Turns& edges, const Direction& in, const Direction& out, bool with_in, Visit visit) {
+void for_edges_between(const Turns& edges, std::uint32_t begin, std::uint32_t end, Visit visit) {
   const auto& order = edges.by_direction;
-  const auto begins = std::partition_point(order.begin(), order.end(), [&](auto e) {
-    return with_in ? before(edges.edge[e], in) : !before(in, edges.edge[e]);
-  });
-  const auto start = static_cast<std::size_t>(begins - order.begin());
-  for (std::size_t step = 0; step < order.size(); ++step) {
-    const std::uint32_t e = order[(start + step) % order.size()];
-    const Vec d = edges.edge[e].vector;
-    const Wide after_in = cross(in.vector, d);
-    const Wide before_out = cross(d, out.vector);
-    const bool inside = with_in ? before_out > 0 && (after_in > 0 || (after_in == 0 && dot(in.vector, d) > 0))
-                                : after_in > 0 && (before_out > 0 || (before_out == 0 && dot(out.vector, d) > 0));
-    if (!inside) return;
-    visit(e);
+  if (begin > end) {
+    for (std::uint32_t k = begin; k < order.size(); ++k) visit(order[k]);
+    begin = 0;
   }
+  for (std::uint32_t k = begin; k < end; ++k) visit(order[k]);
 }
 
 // Links each candidate to the one that continues it, using a small open-addressed hash table from start to candidate.
@@ -110,13 +56,13 @@ bool inside_whole(const outline::StarPart& of_vertex, std::size_t vertex, const 
   return cross(in, out) <= 0 || cross(in, along) < 0 || cross(along, out) < 0;
 }
 
-std::vector<Candidate> reduced_convolution(const outline::StarPart& first, const outline::StarPart& second) {
-  const Polygon& p = first.vertices;
-  const Polygon& q = second.vertices;
-  const Turns p_turns{p};
-  const Turns q_turns{q};
-  const double centre_x = first.kernel.x + second.kernel.x;
-  const double centre_y = first.kernel.y + second.kernel.y;
+std::vector<Candidate> reduced_convolution(const TurningPart& first, const TurningPart& second) {
+  const Polygon& p = first.part.vertices;
+  const Polygon& q = second.part.vertices;
+  const Turns& p_turns = first.turns;
+  const Turns& q_turns = second.turns;
+  const double centre_x = first.part.kernel.x + second.part.kernel.x;
+  const double centre_y = first.part.kernel.y + second.part.kernel.y;
   std::vector<Candidate> candidates;
   candidates.reserve(2 * (p.size() + q.size()));
   const auto add = [&](std::size_t i, std::size_t j, Vec along, bool edge_of_first) {
@@ -133,14 +79,18 @@ std::vector<Candidate> reduced_convolution(const outline::StarPart& first, const
     c.edge_of_first = edge_of_first;
     candidates.push_back(c);
   };
+  // Where an edge of one is parallel to one of the other, the turn of a vertex of the first part includes the direction
+  // in which it ends, that of a vertex of the second part the direction in which it begins.
+  const std::vector<std::uint32_t> past_p = places(p_turns, q_turns, true);
+  const std::vector<std::uint32_t> before_q = places(q_turns, p_turns, false);
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (!p_turns.convex[i]) continue;
-    for_edges_in_turn(q_turns, p_turns.into(i), p_turns.edge[i], false,
+    for_edges_between(q_turns, past_p[p_turns.into(i)], past_p[i],
                       [&](std::uint32_t e) { add(i, e, q_turns.edge[e].vector, false); });
   }
   for (std::size_t j = 0; j < q.size(); ++j) {
     if (!q_turns.convex[j]) continue;
-    for_edges_in_turn(p_turns, q_turns.into(j), q_turns.edge[j], true,
+    for_edges_between(p_turns, before_q[q_turns.into(j)], before_q[j],
                       [&](std::uint32_t e) { add(e, j, p_turns.edge[e].vector, true); });
   }
   link(candidates, p.size(), q.size());

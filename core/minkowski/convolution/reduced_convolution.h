@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/minkowski/convolution/star_sum.h"
+#include "core/minkowski/convolution/turns.h"
 
 namespace selvage::minkowski::convolution {
 
@@ -21,8 +22,7 @@ struct Candidate {
 };
 
 // All candidates that turn counter-clockwise about first.kernel + second.kernel.
-[[nodiscard]] std::vector<Candidate> reduced_convolution(const outline::StarPart& first,
-                                                         const outline::StarPart& second);
+[[nodiscard]] std::vector<Candidate> reduced_convolution(const TurningPart& first, const TurningPart& second);
 
 // True when a vertex of one part plus an edge of the other (from its vertex `edge` in direction `along`) is known to
 // lie inside the sum of the whole polygons: the edge is a cut between parts, or its direction is not within the whole

@@ -57,8 +57,10 @@ SumEdge edge_along(const Candidate& c, Vec from, Vec to, const outline::StarPart
 
 }  // namespace
 
-StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second) {
-  StarSum sum{{first.kernel.x + second.kernel.x, first.kernel.y + second.kernel.y}, {}};
+StarSum star_sum(const TurningPart& first, const TurningPart& second) {
+  const RealVec& a = first.part.kernel;
+  const RealVec& b = second.part.kernel;
+  StarSum sum{{a.x + b.x, a.y + b.y}, {}};
   const std::vector<Candidate> candidates = reduced_convolution(first, second);
   const std::vector<Stretch> envelope = polar_envelope(candidates);
   const auto lattice_point = [&](double x, double y) {
@@ -79,7 +81,7 @@ StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second
     if (!sum.edges.empty() && sum.edges.back().line_from == c.from && sum.edges.back().line_to == c.to) {
       sum.edges.back().to = to;
     } else {
-      sum.edges.push_back(edge_along(c, from, to, first, second));
+      sum.edges.push_back(edge_along(c, from, to, first.part, second.part));
     }
   }
   close(sum.edges);

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/minkowski/convolution/turns.h"
 #include "core/outline/star.h"
 
 namespace selvage::minkowski::convolution {
@@ -39,6 +40,6 @@ struct StarSum {
 };
 
 // { a + b : a in first, b in second }.  REQUIRES: each part's kernel point lies inside its kernel.
-[[nodiscard]] StarSum star_sum(const outline::StarPart& first, const outline::StarPart& second);
+[[nodiscard]] StarSum star_sum(const TurningPart& first, const TurningPart& second);
 
 }  // namespace selvage::minkowski::convolution

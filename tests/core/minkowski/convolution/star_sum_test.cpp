@@ -20,6 +20,14 @@ outline::StarPart part_of(const Polygon& polygon) {
   return parts.front();
 }
 
+minkowski::convolution::StarSum star_sum_of(const Polygon& p, const Polygon& q) {
+  const outline::StarPart first = part_of(p);
+  const outline::StarPart second = part_of(q);
+  const minkowski::convolution::Turns of_first{first.vertices};
+  const minkowski::convolution::Turns of_second{second.vertices};
+  return minkowski::convolution::star_sum({first, of_first}, {second, of_second});
+}
+
 minkowski::MinkowskiSum sum_of(const Polygon& p, const Polygon& q) {
   return minkowski::minkowski_sum(outline::star_parts(p), outline::star_parts(q));
 }
@@ -39,8 +47,8 @@ Polygon corners_of(const minkowski::convolution::StarSum& sum) {
 }
 
 TEST(StarSum, HasKnownEdgesForASquareAndATriangle) {
-  const minkowski::convolution::StarSum sum = minkowski::convolution::star_sum(
-      part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{0, 0}, {30, 0}, {0, 30}}));
+  const minkowski::convolution::StarSum sum =
+      star_sum_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}, {{0, 0}, {30, 0}, {0, 30}});
   Polygon corners = corners_of(sum);
   std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), Vec{0, 0}), corners.end());
   EXPECT_EQ(corners, (Polygon{{0, 0}, {70, 0}, {70, 40}, {40, 70}, {0, 70}}));
@@ -49,8 +57,8 @@ TEST(StarSum, HasKnownEdgesForASquareAndATriangle) {
 TEST(StarSum, RecordsTheSourceOfEachEdge) {
   // A square and a small triangle below it to the left: the upper edge of the sum is the square's edge plus the
   // triangle's highest vertex.
-  const minkowski::convolution::StarSum sum = minkowski::convolution::star_sum(
-      part_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}), part_of({{-8, -9}, {-2, -8}, {-5, -3}}));
+  const minkowski::convolution::StarSum sum =
+      star_sum_of({{0, 0}, {40, 0}, {40, 40}, {0, 40}}, {{-8, -9}, {-2, -8}, {-5, -3}});
   const auto top = std::find_if(sum.edges.begin(), sum.edges.end(), [](const minkowski::convolution::SumEdge& e) {
     return e.line_from == Vec{35, 37};
   });
@@ -74,7 +82,7 @@ TEST(StarSum, EqualsConvexSumForConvexPolygons) {
     const Polygon p = random_convex(random, static_cast<std::size_t>(random.between(3, 12)), extent);
     const Polygon q = random_convex(random, static_cast<std::size_t>(random.between(3, 12)), extent);
     const minkowski::convolution::StarSum merge = minkowski::convolution::convex_sum(part_of(p), part_of(q));
-    const minkowski::convolution::StarSum star = minkowski::convolution::star_sum(part_of(p), part_of(q));
+    const minkowski::convolution::StarSum star = star_sum_of(p, q);
     Polygon a = corners_of(merge);
     Polygon b = corners_of(star);
     std::rotate(a.begin(), std::min_element(a.begin(), a.end()), a.end());
