@@ -42,8 +42,8 @@ double processor_seconds() {
 }
 
 std::string_view name_of(remake::StepKind kind) {
-  static constexpr std::string_view kNames[] = {"substituted", "separated",  "popped",      "searched", "compacted",
-                                                "inserted",    "rearranged", "trims_moved", "refined"};
+  static constexpr std::string_view kNames[] = {"substituted", "separated", "popped",     "searched",    "compacted",
+                                                "inserted",    "tilted",    "rearranged", "trims_moved", "refined"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 Json steps_of(const remake::Attempt& attempt) {

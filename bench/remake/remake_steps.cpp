@@ -20,8 +20,8 @@ namespace {
 
 using namespace selvage;
 
-constexpr const char* kNames[] = {"substituted", "separated",  "popped",      "searched", "compacted",
-                                  "inserted",    "rearranged", "trims-moved", "refined"};
+constexpr const char* kNames[] = {"substituted", "separated", "popped",     "searched",    "compacted",
+                                  "inserted",    "tilted",    "rearranged", "trims-moved", "refined"};
 
 void print_row(const char* name, const Marker& marker, bool valid) {
   std::printf("| %s | %.1f | %.2f %% | %s |\n", name, to_decimal(length_of(marker), marker.resolution),

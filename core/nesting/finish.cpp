@@ -43,7 +43,8 @@ bool may_turn(const Marker& marker) {
 }
 
 std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fixed,
-                               const std::function<double()>& elapsed, const scene::Run& run) {
+                               const std::function<double()>& elapsed, const scene::Run& run,
+                               std::optional<int> rounds) {
   Marker loose = marker;
   for (Shape& shape : loose.shapes) {
     if (shape.rotations.empty()) shape.tilt_limit = Angle::of_degrees(360.0 / layout::kFreeRotations / 2);
@@ -52,7 +53,8 @@ std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fi
 
   const TimedRun timed{run, elapsed};
   using motion::tilting::TiltMethod;
-  const auto settings = tilt_settings(TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
+  auto settings = tilt_settings(TiltMethod::kLinearisation, motion::compaction::Accuracy::kStandard);
+  settings.rounds = rounds.value_or(settings.rounds);
   auto tilting = tilt(loose, settings, timed.run().quiet());
   if (!tilting || tilting->length_after >= length_of(marker)) return std::nullopt;
   Finish finish{.marker = with_turns_in_rotations(std::move(tilting->marker), marker),

@@ -24,9 +24,11 @@ struct Finish {
 [[nodiscard]] bool may_turn(const Marker& marker);
 
 // The marker made shorter by compaction with tilts [Li94 6.2]; nothing when that gains nothing.  `elapsed` as in
-// NestSettings: the motion is stopped when it reaches 1.
+// NestSettings: the motion is stopped when it reaches 1.  `rounds`: at most so many of tilts; none: as many as accuracy
+// standard.
 // REQUIRES: the marker is valid; `fixed` has an entry for each of its placed pieces.
 [[nodiscard]] std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fixed,
-                                             const std::function<double()>& elapsed, const scene::Run& run);
+                                             const std::function<double()>& elapsed, const scene::Run& run,
+                                             std::optional<int> rounds = std::nullopt);
 
 }  // namespace selvage::nesting

@@ -8,6 +8,7 @@
 #include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
 #include "core/motion/compaction/compact.h"
+#include "core/nesting/finish.h"
 #include "core/nesting/nest.h"
 #include "core/packing/refitting/fill_gaps.h"
 #include "core/remake/insertion.h"
@@ -40,16 +41,27 @@ class Attempting {
     attempt_.difference = candidate.difference;
     attempt_.predicted = candidate.predicted;
     attempt_.used = candidate.used;
-    if (!take_over(candidate) || !insert()) return {std::move(attempt_), std::nullopt};
+    if (!take_over(candidate) || !insert()) return {std::move(attempt_), std::nullopt, std::nullopt};
     conclude();
-    return {std::move(attempt_), std::move(marker_)};
+    return {std::move(attempt_), std::move(marker_), std::nullopt};
+  }
+
+  Draft tilted(Draft draft) {
+    if (!draft.marker || draft.loose || !nesting::may_turn(*draft.marker)) return draft;
+    attempt_ = std::move(draft.attempt);
+    marker_ = *draft.marker;
+    if (tilt()) {
+      record(StepKind::kTilted, 0, true);
+      conclude();
+    }
+    return {std::move(attempt_), std::move(marker_), std::move(draft.marker)};
   }
 
   Attempt finish(Draft draft, bool search) {
     attempt_ = std::move(draft.attempt);
     if (!draft.marker) return std::move(attempt_);
     marker_ = *std::move(draft.marker);
-    if (search && !run_.stopped()) rearrange();
+    if (search && !run_.stopped()) rearrange(draft.loose ? *std::move(draft.loose) : marker_);
     if (search && settings_.trims && !run_.stopped()) move_trims();
     if (settings_.fine && !run_.stopped()) refine();
     conclude();
@@ -102,17 +114,33 @@ class Attempting {
     return true;
   }
 
+  // False when small tilts gain nothing.
+  bool tilt() {
+    const std::vector<bool> fixed(marker_.pieces.size());
+    auto finish = nesting::finished(marker_, fixed, {}, run_.quiet(), settings_.tuning.tilt_rounds);
+    if (!finish) return false;
+    attempt_.programs += finish->programs;
+    marker_ = std::move(finish->marker);
+    return true;
+  }
+
   // A short search for a shorter marker: separation pays with length, and pieces at the end may belong into gaps.
-  void rearrange() {
+  void rearrange(Marker from) {
     nesting::NestSettings settings;
     settings.moves = settings_.tuning.moves_per_piece * marker_.pieces.size();
     settings.tuning.first_step = settings_.tuning.first_step;
     settings.tuning.search.stretch = settings_.tuning.stretch;
-    auto nested = nesting::nest(marker_, settings, run_.quiet());
-    if (!nested || length_of(nested->marker) >= length_of(marker_)) return;
+    settings.turn = false;
+    auto nested = nesting::nest(from, settings, run_.quiet());
+    if (!nested || length_of(nested->marker) >= length_of(from)) return;
     attempt_.programs += nested->programs;
-    marker_ = std::move(nested->marker);
-    record(StepKind::kRearranged, 0, true);
+    std::swap(marker_, nested->marker);
+    if (nesting::may_turn(marker_) && !run_.stopped()) (void)tilt();
+    if (length_of(marker_) < length_of(nested->marker)) {
+      record(StepKind::kRearranged, 0, true);
+    } else {
+      marker_ = std::move(nested->marker);
+    }
   }
 
   void move_trims() {
@@ -168,6 +196,10 @@ Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSett
 bool is_near_enough(const Draft& draft, const AttemptSettings& settings) {
   if (!draft.attempt.marker) return false;
   return utilisation_of(*draft.attempt.marker) >= draft.attempt.used - settings.tuning.near_enough;
+}
+
+Draft tilted(const Marker& order, Draft draft, const AttemptSettings& settings, const scene::Run& run) {
+  return Attempting{order, settings, run}.tilted(std::move(draft));
 }
 
 Attempt finished(const Marker& order, Draft draft, bool search, const AttemptSettings& settings,

@@ -4,8 +4,8 @@
 // A draft takes a fraction of a second:
 //     substitute; relieve columns; remove the overlaps; compact
 //     put the pieces in that had no slot, larger first; compact
-// It is finished by
-//     searching for a shorter marker for a while, from there (core/nesting)
+// It may then be tilted: compacted with small tilts of the pieces.  It is finished by
+//     searching for a shorter marker for a while, from the draft as it was without these tilts (core/nesting)
 //     taking small pieces out and putting them where there is room; `fine`: swapping and tilting
 // Units: lattice units.
 #pragma once
@@ -30,6 +30,7 @@ enum class StepKind {
   kSearched,     // by a guided local search
   kCompacted,    // when nothing overlapped any more
   kInserted,     // pieces without a slot were put into gaps or at the end, then compacted
+  kTilted,       // small tilts have made it shorter
   kRearranged,   // a short search that has found a shorter marker
   kTrimsMoved,   // small pieces went elsewhere
   kRefined,      // accuracy fine
@@ -62,14 +63,17 @@ struct AttemptSettings {
 struct Draft {
   Attempt attempt;
   std::optional<Marker> marker;  // valid, on cloth without an end; none: the pieces did not come apart
+  std::optional<Marker> loose;   // that marker before it was tilted; none: it was not
 };
 
-// Laws of drafts and of finished attempts.  (1) The marker is valid, proved in integers, and has the order's pieces in
-// the order's sequence: first the placed ones, then those that were not.  (2) For an order that is the stored marker's
-// own, it is no longer than that marker.  (3) A finished marker is no longer than its draft.  (4) Deterministic,
-// whatever the cache holds; when cancelled, the best so far.
+// Laws of drafts, tilted or not, and of finished attempts.  (1) The marker is valid, proved in integers, and has the
+// order's pieces in the order's sequence: first the placed ones, then those that were not.  (2) For an order that is
+// the stored marker's own, it is no longer than that marker.  (3) A tilted marker and a finished one are no longer than
+// their draft.  (4) Deterministic, whatever the cache holds; when cancelled, the best so far.
 [[nodiscard]] Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
                             const scene::Run& run);
+// The draft with small tilts, where they shorten its marker; once they were tried, they are not tried again.
+[[nodiscard]] Draft tilted(const Marker& order, Draft draft, const AttemptSettings& settings, const scene::Run& run);
 // `search`: whether a shorter marker is searched for, and trims are moved.
 [[nodiscard]] Attempt finished(const Marker& order, Draft draft, bool search, const AttemptSettings& settings,
                                const scene::Run& run);

@@ -30,20 +30,21 @@ class OverlapRemover {
 
   std::optional<OverlapRemoval> run() {
     if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return OverlapRemoval{start_, RemovedBy::kNothing, 0, 0};
-    std::optional<OverlapRemoval> best = by_programs();
+    std::optional<OverlapRemoval> best = by_programs(tuning_.first_pops);
     if (run_.stopped()) return best;
     if (best && (best->by == RemovedBy::kSeparation || !much_longer(best->marker))) return best;
     if (auto other = by_search(); other && (!best || length_of(other->marker) < length_of(best->marker))) {
       best = std::move(other);
     }
+    if (!best && !run_.stopped()) best = by_programs(tuning_.pops);
     if (best) best->programs = programs_;
     return best;
   }
 
  private:
   // Separation, with pieces taken out and put back where it needs that.
-  std::optional<OverlapRemoval> by_programs() {
-    auto popping = apart_by_popping(placed_only(start_), tuning_, run_);
+  std::optional<OverlapRemoval> by_programs(std::size_t most_popped) {
+    auto popping = apart_by_popping(placed_only(start_), most_popped, tuning_, run_);
     if (!popping) return std::nullopt;
     programs_ += popping->programs;
     if (popping->popped > 0) compact(popping->marker);
@@ -70,7 +71,7 @@ class OverlapRemover {
   // What the search leaves overlaps by so little that linear programs repair it.
   std::optional<Marker> repaired(Marker marker) {
     if (compact(marker)) return marker;
-    auto popping = apart_by_popping(marker, tuning_, run_);
+    auto popping = apart_by_popping(marker, tuning_.first_pops, tuning_, run_);
     if (!popping) return std::nullopt;
     programs_ += popping->programs;
     return std::move(popping->marker);
@@ -78,7 +79,8 @@ class OverlapRemover {
 
   std::optional<OverlapRemoval> by_search() {
     Marker marker = placed_only(start_);
-    for (Piece& piece : marker.pieces) piece.orientation.tilt = {};  // the search knows no tilts
+    // The search knows no tilts, but it can keep those that pieces have.
+    for (Piece& piece : marker.pieces) piece.locked.tilt |= piece.orientation.tilt != Angle{};
     const auto set = nesting::layout::piece_set_of(marker, nesting::layout::PlacedPiecesMay::kMove, run_.sums);
     if (!set) return std::nullopt;
     nesting::NestTuning nesting;
@@ -93,6 +95,7 @@ class OverlapRemover {
       layout = std::move(outcome.layout);
       if (outcome.loss == 0) {
         if (auto found = repaired(to_marker(*set, layout, marker))) {
+          for (std::size_t i = 0; i < found->pieces.size(); ++i) found->pieces[i].locked = start_.pieces[i].locked;
           found->unplaced = start_.unplaced;
           return OverlapRemoval{*std::move(found), RemovedBy::kSearch, 0, 0};
         }

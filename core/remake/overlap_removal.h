@@ -1,9 +1,9 @@
 // Overlap removal: the overlapping pieces of a substitution become a valid marker.
 //
 // First by separation, which moves pieces as little as it can [Li94 5.2].  Where columns leave no room for that, pieces
-// are popped out and put back (popping.h).  Where that fails or makes the marker much longer, a guided local search
-// (core/nesting/local_search) also tries in a marker that it lengthens step by step; the shorter result counts.
-// Units: lattice units.
+// are popped out and put back (popping.h), first only a few.  Where that fails or makes the marker much longer, a
+// guided local search (core/nesting/local_search) also tries in a marker that it lengthens step by step; the shorter
+// result counts.  Where the search fails, too, more pieces may be popped. Units: lattice units.
 #pragma once
 
 #include <cstddef>

@@ -23,8 +23,8 @@ using substitution::RemakeTuning;
 
 class Popper {
  public:
-  Popper(const Marker& start, const RemakeTuning& tuning, const scene::Run& run)
-      : start_{start}, tuning_{tuning}, run_{run} {
+  Popper(const Marker& start, std::size_t most, const RemakeTuning& tuning, const scene::Run& run)
+      : start_{start}, most_{most}, tuning_{tuning}, run_{run} {
     for (const Piece& piece : start.pieces) homes_.emplace(piece.id, piece);
   }
 
@@ -50,7 +50,7 @@ class Popper {
     settings.rounds = tuning_.separation_rounds;
     settings.grow = tuning_.growth;
     settings.pop_out = pop_out;
-    settings.most_popped = tuning_.pops;
+    settings.most_popped = most_;
     settings.small = tuning_.trim * substitution::placed_area(start_) / static_cast<double>(start_.pieces.size());
     settings.tuning.patience = tuning_.separation_patience;
     auto separated = motion::separation::separate(marker, settings, run_.quiet());
@@ -131,6 +131,7 @@ class Popper {
   static constexpr double kScales[] = {0.95, 0.85, 0.7, 0.5};
 
   const Marker& start_;
+  const std::size_t most_;
   const RemakeTuning& tuning_;
   const scene::Run& run_;
   Homes homes_;
@@ -141,8 +142,9 @@ class Popper {
 
 }  // namespace
 
-std::optional<Popping> apart_by_popping(const Marker& start, const RemakeTuning& tuning, const scene::Run& run) {
-  return Popper{start, tuning, run}.run();
+std::optional<Popping> apart_by_popping(const Marker& start, std::size_t most, const RemakeTuning& tuning,
+                                        const scene::Run& run) {
+  return Popper{start, most, tuning, run}.run();
 }
 
 }  // namespace selvage::remake

@@ -23,11 +23,11 @@ struct Popping {
   std::size_t popped{};  // pieces that were taken out and put back; 0: separation alone was enough
   int programs{};        // linear programs solved
 };
-// Nothing when more than RemakeTuning::pops pieces would have to be taken out, when one of them fits nowhere, or when
-// cancelled before.
+// Nothing when more than `most` pieces would have to be taken out, when one of them fits nowhere, or when cancelled
+// before.
 // REQUIRES: the strip has no end, and no piece is unplaced.  Laws.  (1) The answer is valid, proved in integers.
 // (2) Deterministic, whatever the cache holds.
-[[nodiscard]] std::optional<Popping> apart_by_popping(const Marker& start, const substitution::RemakeTuning& tuning,
-                                                      const scene::Run& run);
+[[nodiscard]] std::optional<Popping> apart_by_popping(const Marker& start, std::size_t most,
+                                                      const substitution::RemakeTuning& tuning, const scene::Run& run);
 
 }  // namespace selvage::remake

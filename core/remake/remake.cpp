@@ -74,13 +74,20 @@ class Trying {
   // In the sequence of the candidates.
   std::vector<Attempt> attempts() {
     drafts_.resize(candidates_.size());
-    if (!drafts_.empty()) draft(0, run_);
+    if (!drafts_.empty()) {
+      draft(0, run_);
+      if (!settings_.thorough && !near_enough(0)) tilt(0, run_);
+    }
     if (settings_.thorough || drafts_.empty() || !near_enough(0)) {
       for_each(1, [this](std::size_t k, const scene::Run& run) { draft(k, run); });
     }
     if (settings_.thorough) {
-      for_each(0, [this](std::size_t k, const scene::Run& run) { finish(k, true, run); });
+      for_each(0, [this](std::size_t k, const scene::Run& run) {
+        tilt(k, run);
+        finish(k, true, run);
+      });
     } else if (const auto best = shortest()) {
+      if (!near_enough(*best)) tilt(*best, run_);
       finish(*best, !near_enough(*best), run_);
     }
     std::vector<Attempt> attempts;
@@ -101,6 +108,11 @@ class Trying {
   void draft(std::size_t k, const scene::Run& run) {
     if (run_.stopped()) return;
     drafts_[k] = drafted(order_, candidates_[k], settings_.attempt, run.quiet());
+    progress_.report(drafts_[k].attempt);
+  }
+  void tilt(std::size_t k, const scene::Run& run) {
+    if (run_.stopped()) return;
+    drafts_[k] = tilted(order_, std::move(drafts_[k]), settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
   }
   void finish(std::size_t k, bool search, const scene::Run& run) {

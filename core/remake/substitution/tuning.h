@@ -24,7 +24,8 @@ struct RemakeTuning {
   int separation_rounds{40};    // at most
   int separation_patience{12};  // rounds without progress before separation gives up
   double trim{0.35};            // of the mean area of the pieces: larger ones are popped after smaller ones
-  std::size_t pops{6};          // pieces popped at most
+  std::size_t first_pops{2};    // pieces popped at most, before the search,
+  std::size_t pops{6};          // and after it has failed
   double popped_growth{0.02};   // part of its length: when popping makes the marker longer, a search is tried, too
   double same_spot{0.002};      // shrunken copies this near to each other are restored only once
   // The guided local search, when linear programs cannot part the pieces.  Its first try, in the marker's own length,
@@ -34,11 +35,12 @@ struct RemakeTuning {
   double search_growth{0.015};  // part of its length by which the marker grows before each of
   int searches{12};             // this many searches
   // Afterwards:
+  int tilt_rounds{4};                 // of small tilts: the first ones give nearly all of what many would
   double near_enough{0.01};           // utilisation below that of the stored marker at which no better one is sought
   std::uint64_t moves_per_piece{40};  // of the search for a shorter marker
   double first_step{0.01};            // part of its length by which this search shortens the marker at first
   double stretch{2};                  // of this search and the one above: nesting::local_search::SearchTuning::stretch
-  std::uint64_t trim_trials{4};       // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
+  std::uint64_t trim_trials{2};       // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
   friend bool operator==(const RemakeTuning&, const RemakeTuning&) = default;
 };
 

@@ -24,10 +24,11 @@ struct Choices<remake::StepKind> {
   static constexpr std::string_view kMeaning =
       "A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were "
       "removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; "
-      "inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter "
-      "marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine.";
-  static constexpr std::string_view kWords[] = {"substituted", "separated",  "popped",      "searched", "compacted",
-                                                "inserted",    "rearranged", "trims_moved", "refined"};
+      "inserted: pieces without a corresponding stored piece were added; tilted: small tilts made the marker shorter; "
+      "rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: "
+      "like accuracy fine.";
+  static constexpr std::string_view kWords[] = {"substituted", "separated", "popped",     "searched",    "compacted",
+                                                "inserted",    "tilted",    "rearranged", "trims_moved", "refined"};
 };
 
 }  // namespace selvage::protocol::schema

@@ -57,21 +57,62 @@ TEST(OverlapRemoval, PopsTheTrimOfAColumnThatIsTooTall) {
   EXPECT_EQ(apart->marker.pieces.size(), marker.pieces.size());
 }
 
-// Three blocks in a column that two of them fill: without popping, only another arrangement has room.
-TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
+// Two columns of three blocks that two of them fill.
+Marker two_tall_columns() {
   test::Layout layout{50'000};
   const auto block = layout.shape_of(test::rectangle(20'000, 24'000));
   for (int k = 0; k < 3; ++k) layout.put(block, {0, 12'000 * k}).put(block, {20'000, 12'000 * k});
-  Marker marker = layout.marker();
+  return layout.marker();
+}
+
+// Without popping, only another arrangement has room.
+TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
+  const Marker marker = two_tall_columns();
   SumCache sums;
   RemakeTuning tuning;
   tuning.growth = 0;
-  tuning.pops = 0;
+  tuning.first_pops = 0;
   tuning.search_growth = 0.2;
   const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);
   EXPECT_EQ(apart->by, RemovedBy::kSearch);
   EXPECT_TRUE(is_valid(apart->marker));
+}
+
+// The stored marker's tilts are part of what makes it dense.
+TEST(OverlapRemoval, KeepsTiltsWhileItSearches) {
+  Marker marker = two_tall_columns();
+  for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(2);
+  for (Piece& piece : marker.pieces) piece.orientation.tilt = Angle::of_degrees(1);
+  SumCache sums;
+  RemakeTuning tuning;
+  tuning.growth = 0;
+  tuning.first_pops = 0;
+  tuning.search_growth = 0.2;
+  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->by, RemovedBy::kSearch);
+  EXPECT_TRUE(is_valid(apart->marker));
+  for (const Piece& piece : apart->marker.pieces) {
+    EXPECT_EQ(piece.orientation.tilt, Angle::of_degrees(1));
+    EXPECT_EQ(piece.locked, Locks{});
+  }
+}
+
+TEST(OverlapRemoval, PopsMorePiecesWhereTheSearchFails) {
+  const Marker marker = two_tall_columns();
+  SumCache sums;
+  RemakeTuning tuning;
+  tuning.growth = 0;
+  tuning.first_pops = 0;
+  tuning.searches = 0;
+  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->by, RemovedBy::kPopping);
+  EXPECT_GT(apart->popped, 0U);
+  EXPECT_TRUE(is_valid(apart->marker));
+  tuning.pops = 0;
+  EXPECT_FALSE(remove_overlaps(marker, tuning, scene::Run{sums}));
 }
 
 TEST(OverlapRemoval, ReturnsNothingWhenCancelled) {

@@ -9,9 +9,10 @@
 namespace selvage::remake {
 namespace {
 
-std::optional<Popping> popped(const Marker& marker, const substitution::RemakeTuning& tuning = {}) {
+std::optional<Popping> popped(const Marker& marker, const substitution::RemakeTuning& tuning = {},
+                              std::size_t most = 6) {
   SumCache sums;
-  return apart_by_popping(marker, tuning, scene::Run{sums});
+  return apart_by_popping(marker, most, tuning, scene::Run{sums});
 }
 
 // Between two walls, three panels of a third of the strip's width each, the last a little higher.
@@ -62,8 +63,8 @@ TEST(Popping, RestoresAPieceThatWasPutBackShrunken) {
 TEST(Popping, GivesUpBeyondTheLimitOfPieces) {
   substitution::RemakeTuning tuning;
   tuning.growth = 0;
-  tuning.pops = 0;
-  EXPECT_FALSE(popped(tall_column(500, 0), tuning));
+  EXPECT_TRUE(popped(tall_column(500, 0), tuning, 1));
+  EXPECT_FALSE(popped(tall_column(500, 0), tuning, 0));
 }
 
 TEST(Popping, KeepsPiecesAndTheirSequence) {

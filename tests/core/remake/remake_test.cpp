@@ -145,6 +145,34 @@ TEST(Remake, EndsWithAFirstTryThatIsNearEnough) {
   EXPECT_FALSE(searched(done.attempts[0]));
 }
 
+// The example's shapes may tilt, and its pieces do not yet.
+TEST(Remake, EndsWithSmallTiltsThatBringTheFirstTryNearEnough) {
+  RemakeSettings settings;
+  settings.tries = 1;
+  settings.attempt.tuning.near_enough = -1;
+  settings.attempt.tuning.moves_per_piece = 0;
+  const std::vector<Marker> stored{stored_jeans(), test::garment("jeans_02g")};
+  const Marker order = test::graded_order_of(stored[0], 0.02);
+  const Remake all = remade(order, stored, settings);
+  ASSERT_EQ(all.outcome, Outcome::kRemade);
+  const std::vector<Step>& steps = all.attempts[0].steps;
+  const auto tilted = std::ranges::find(steps, StepKind::kTilted, &Step::kind);
+  ASSERT_NE(tilted, steps.end());
+  EXPECT_LT(tilted->length, std::prev(tilted)->length);
+
+  Marker drafted = all.attempts[0].marker.value();
+  drafted.pieces = std::prev(tilted)->placed;
+  const double draft = utilisation_of(drafted);
+  drafted.pieces = tilted->placed;
+  settings.tries = 2;
+  settings.attempt.tuning.near_enough = all.attempts[0].used - (draft + utilisation_of(drafted)) / 2;
+  const Remake done = remade(order, stored, settings);
+  expect_sound(order, done);
+  ASSERT_EQ(done.attempts.size(), 1U);
+  EXPECT_EQ(done.attempts[0].steps.back().kind, StepKind::kTilted);
+  EXPECT_EQ(done.length_after, tilted->length);
+}
+
 // None is near enough: all are tried, and the shortest is searched on.
 TEST(Remake, FinishesTheShortestDraft) {
   RemakeSettings settings;

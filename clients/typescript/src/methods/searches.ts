@@ -20,8 +20,8 @@ export type RemakeAttempt = {
 /** The outcome of remaking. remade: laid out like a stored marker; nested: nested from nothing, as requested; none_near: no stored marker is similar enough; not_apart: no attempt could separate its pieces on the cloth. */
 export type RemakeOutcome = "remade" | "nested" | "none_near" | "not_apart";
 
-/** A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine. */
-export type RemakeStep = "substituted" | "separated" | "popped" | "searched" | "compacted" | "inserted" | "rearranged" | "trims_moved" | "refined";
+/** A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; tilted: small tilts made the marker shorter; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine. */
+export type RemakeStep = "substituted" | "separated" | "popped" | "searched" | "compacted" | "inserted" | "tilted" | "rearranged" | "trims_moved" | "refined";
 
 /** The marker after a step of an attempt. */
 export type RemakeStepResult = {

@@ -46,8 +46,8 @@ NapDirection = Literal["up", "down"]
 RemakeOutcome = Literal["remade", "nested", "none_near", "not_apart"]
 """The outcome of remaking. remade: laid out like a stored marker; nested: nested from nothing, as requested; none_near: no stored marker is similar enough; not_apart: no attempt could separate its pieces on the cloth."""
 
-RemakeStep = Literal["substituted", "separated", "popped", "searched", "compacted", "inserted", "rearranged", "trims_moved", "refined"]
-"""A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine."""
+RemakeStep = Literal["substituted", "separated", "popped", "searched", "compacted", "inserted", "tilted", "rearranged", "trims_moved", "refined"]
+"""A step of an attempt. substituted: the pieces replace stored ones; separated, popped, searched: overlaps were removed by linear programs, by taking small pieces out and putting them back, or by a search; compacted; inserted: pieces without a corresponding stored piece were added; tilted: small tilts made the marker shorter; rearranged: a short search found a shorter marker; trims_moved: small pieces were moved into gaps; refined: like accuracy fine."""
 
 Spread = Literal["one_way", "face_to_face"]
 """How plies are spread: all face up, or in pairs face to face, where the second ply cuts mirrored pieces."""
