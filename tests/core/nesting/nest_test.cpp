@@ -302,6 +302,21 @@ TEST(Nest, KeepsTheBestWhenItIsCancelled) {
   EXPECT_TRUE(is_valid(nesting->marker));
 }
 
+TEST(Nest, ReportsValidMarkersOfTheLengthsThatItTells) {
+  const Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(130'000, 410'000)}, 20, kWidth);
+  SumCache sums;
+  scene::Run run{sums};
+  int reported = 0;
+  run.observer.on_round = [&](const scene::Round& round) {
+    ++reported;
+    ASSERT_TRUE(round.marker);
+    EXPECT_TRUE(is_valid(*round.marker));
+    EXPECT_EQ(length_of(*round.marker), round.length);
+  };
+  ASSERT_TRUE(nest(marker, settings_of(2'000), run));
+  EXPECT_GT(reported, 1);
+}
+
 TEST(Nest, ListsPiecesForWhichTheClothHasNoRoom) {
   Marker marker = unplaced_pieces({rectangle(500'000, 500'000)}, 9, kWidth);
   marker.strip.longest = 1'200'000;

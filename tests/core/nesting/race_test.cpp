@@ -34,7 +34,7 @@ class Races : public ::testing::Test {
       if (begun_at_.size() == kTooMany) stop_.request_stop();
       auto exploration = std::make_unique<Exploration>(
           set_, first_, guided_, tuning, budget, std::nullopt, run,
-          [this](const Improvement& better) { shortest_ = std::min(shortest_, better.length); });
+          [this](const Improvement& better, const Marker&) { shortest_ = std::min(shortest_, better.length); });
       exploration->begin(to_layout(set_, first_), set_.fixed);
       return exploration;
     };

@@ -65,14 +65,20 @@ Marker two_tall_columns() {
   return layout.marker();
 }
 
-// Without popping, only another arrangement has room.
-TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
-  const Marker marker = two_tall_columns();
-  SumCache sums;
+// Separation and popping do not help.
+RemakeTuning only_search() {
   RemakeTuning tuning;
   tuning.growth = 0;
   tuning.first_pops = 0;
   tuning.search_growth = 0.2;
+  return tuning;
+}
+
+// Without popping, only another arrangement has room.
+TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
+  const Marker marker = two_tall_columns();
+  SumCache sums;
+  const RemakeTuning tuning = only_search();
   const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);
   EXPECT_EQ(apart->by, RemovedBy::kSearch);
@@ -85,10 +91,7 @@ TEST(OverlapRemoval, KeepsTiltsWhileItSearches) {
   for (Shape& shape : marker.shapes) shape.tilt_limit = Angle::of_degrees(2);
   for (Piece& piece : marker.pieces) piece.orientation.tilt = Angle::of_degrees(1);
   SumCache sums;
-  RemakeTuning tuning;
-  tuning.growth = 0;
-  tuning.first_pops = 0;
-  tuning.search_growth = 0.2;
+  const RemakeTuning tuning = only_search();
   const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);
   EXPECT_EQ(apart->by, RemovedBy::kSearch);
@@ -102,9 +105,7 @@ TEST(OverlapRemoval, KeepsTiltsWhileItSearches) {
 TEST(OverlapRemoval, PopsMorePiecesWhereTheSearchFails) {
   const Marker marker = two_tall_columns();
   SumCache sums;
-  RemakeTuning tuning;
-  tuning.growth = 0;
-  tuning.first_pops = 0;
+  RemakeTuning tuning = only_search();
   tuning.searches = 0;
   const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);

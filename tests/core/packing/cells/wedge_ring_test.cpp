@@ -64,6 +64,14 @@ TEST(WedgeRing, CellsCoverExactlyTheOutside) {
   EXPECT_GT(outside, 1000);
 }
 
+// The first ring of two random polygons' sum.
+WedgeRing random_ring(test::Random& random, Coord extent) {
+  SumCache sums;
+  const auto p = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+  const auto q = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
+  return rings_of(sums.obstacle({p, random.symmetry()}, {q, random.symmetry()}), {}).front();
+}
+
 // The count of an arc's wedge from its first one; at least `size` where the arc does not have it.
 std::uint32_t count_in(Arc arc, std::uint32_t wedge, std::uint32_t size) {
   const std::uint32_t count = (wedge + size - arc.first) % size;
@@ -78,10 +86,7 @@ TEST(WedgeRing, HasNoPositionsInABoxBesideThePartThatFacesIt) {
   int found = 0;
   for (int trial = 0; trial < 400; ++trial) {
     const Coord extent = Coord{1} << random.between(12, 34);
-    SumCache sums;
-    const auto p = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
-    const auto q = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
-    const WedgeRing ring = rings_of(sums.obstacle({p, random.symmetry()}, {q, random.symmetry()}), {}).front();
+    const WedgeRing ring = random_ring(random, extent);
     const RealVec a = geometry::real(random.point(-2 * extent, 2 * extent));
     const RealVec b = geometry::real(random.point(-extent / 4, extent / 4));
     const RealBox box{a.x - std::abs(b.x), a.y - std::abs(b.y), a.x + std::abs(b.x), a.y + std::abs(b.y)};
@@ -115,10 +120,7 @@ TEST(WedgeRing, LiesWithinWhatItIsSaidTo) {
   int found = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const Coord extent = Coord{1} << random.between(12, 34);
-    SumCache sums;
-    const auto p = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
-    const auto q = sums.outline(clean_polygon(test::random_polygon(random, extent))->polygon);
-    const WedgeRing ring = rings_of(sums.obstacle({p, random.symmetry()}, {q, random.symmetry()}), {}).front();
+    const WedgeRing ring = random_ring(random, extent);
     const RealVec a = geometry::real(random.point(-2 * extent, 2 * extent));
     const RealVec b = geometry::real(random.point(extent / 8, extent));
     const RealBox box{a.x - b.x, a.y - b.y, a.x + b.x, a.y + b.y};
