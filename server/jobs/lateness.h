@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 
 namespace selvage::server::jobs {
 
@@ -14,26 +15,34 @@ class Lateness {
   // On idle processors a thread wakes up within 0.1 ms.  On busy ones it may wait for the end of another thread's time
   // slice, up to 4 ms.
   static constexpr std::chrono::microseconds kLate{500};
-  // A late wake-up counts for three seconds, or until this many wake-ups in a row were punctual.  Even on idle
-  // processors one in some thousands is late, and clients that make as many calls a second should not have to pay for
-  // it.  On busy ones a few calls are late before it counts: they must be less than a hundredth of those that follow.
+  // A late wake-up counts for three seconds, or until this many wake-ups in a row were punctual.  A few calls are late
+  // before it counts: they must be less than a hundredth of those that follow.
   static constexpr std::chrono::seconds kLately{3};
-  static constexpr int kPunctual = 1000;
+  static constexpr std::int64_t kPunctual = 1000;
+  // Threads are late often if two wake-ups are that are no farther apart than this, and than kLately.
+  static constexpr std::int64_t kNear = 200;
 
-  // A thread began to run at `now`, `waited` after it had been woken up.
-  void record(Clock::duration waited, Clock::time_point now) {
-    if (waited >= kLate) {
-      until_ = now + kLately;
-      punctual_left_ = kPunctual;
-    } else if (punctual_left_ > 0) {
-      --punctual_left_;
+  // A thread has begun to run at `now`, punctually or not.
+  void record(bool late, Clock::time_point now) {
+    if (!late) {
+      ++punctual_;
+      return;
     }
+    const bool near = punctual_.exchange(0) < kNear;
+    const Clock::time_point last = last_late_.exchange(now);
+    if (near && now < last + kLately) last_near_ = now;
   }
-  [[nodiscard]] bool lately(Clock::time_point now) const { return punctual_left_ > 0 && now < until_.load(); }
+  [[nodiscard]] bool lately(Clock::time_point now) const { return counts(last_late_, now); }
+  [[nodiscard]] bool often(Clock::time_point now) const { return counts(last_near_, now); }
 
  private:
-  std::atomic<Clock::time_point> until_{Clock::time_point::min()};
-  std::atomic<int> punctual_left_{};
+  [[nodiscard]] bool counts(Clock::time_point late, Clock::time_point now) const {
+    return punctual_ < kPunctual && now < late + kLately;
+  }
+
+  std::atomic<std::int64_t> punctual_{};  // wake-ups since the last late one
+  std::atomic<Clock::time_point> last_late_{Clock::time_point::min()};
+  std::atomic<Clock::time_point> last_near_{Clock::time_point::min()};  // the second of two
 };
 
 }  // namespace selvage::server::jobs

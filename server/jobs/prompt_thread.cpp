@@ -15,20 +15,23 @@ namespace selvage::server::jobs {
 namespace {
 
 using std::chrono::milliseconds;
+using std::chrono::steady_clock;
 
 struct Urgency {
   std::uint32_t priority;    // in real time; the highest comes first
   milliseconds share;        // in real time, of RealTimeShare::kPeriod, on two processors or more
   std::uint64_t time_slice;  // outside it, in nanoseconds; Linux accepts none below 100,000
-  bool before_it_is_late{};  // in real time also with RealTime::kWhenLate
+  // In real time with RealTime::kWhenLate.  Linux wakes a thread with such a priority on another processor than the one
+  // that wakes it if that has one, too.  Beside a motion or two this costs a quick change more than it gains.
+  enum class When { kAlways, kLately, kOften } when;
 };
 
 Urgency urgency_of(Promptness how) {
   switch (how) {
-    case Promptness::kAlarm: return {3, milliseconds{60}, 100'000, true};
-    case Promptness::kFirst: return {3, milliseconds{60}, 100'000};
-    case Promptness::kSoon: return {2, milliseconds{30}, 200'000};
-    default: return {1, milliseconds{10}, 400'000};
+    case Promptness::kAlarm: return {3, milliseconds{60}, 100'000, Urgency::When::kAlways};
+    case Promptness::kFirst: return {3, milliseconds{60}, 100'000, Urgency::When::kLately};
+    case Promptness::kSoon: return {2, milliseconds{30}, 200'000, Urgency::When::kLately};
+    default: return {1, milliseconds{10}, 400'000, Urgency::When::kOften};
   }
 }
 
@@ -52,6 +55,15 @@ Lateness lateness_of_all;
 // Of the calling thread.
 thread_local std::optional<Urgency> own_urgency;  // none: it is not a prompt thread
 thread_local std::unique_ptr<RealTimeShare> own_share;
+
+// With RealTime::kWhenLate.
+bool is_time(Urgency::When when, steady_clock::time_point now) {
+  switch (when) {
+    case Urgency::When::kAlways: return true;
+    case Urgency::When::kLately: return lateness_of_all.lately(now);
+    default: return lateness_of_all.often(now);
+  }
+}
 
 void set_real_time(bool wanted) {
   if (!wanted) {
@@ -81,14 +93,16 @@ void run_promptly(Promptness how) {
   own_urgency = urgency_of(how);
   change([](Scheduling& own) { own.runtime = own_urgency->time_slice; });
   const RealTime when = real_time_when;
-  set_real_time(when == RealTime::kAlways || (when == RealTime::kWhenLate && own_urgency->before_it_is_late));
+  const bool without_lateness = own_urgency->when == Urgency::When::kAlways;
+  set_real_time(when == RealTime::kAlways || (when == RealTime::kWhenLate && without_lateness));
 }
 
-void woke_up_after(std::chrono::steady_clock::duration waited) {
+void woke_up_after(steady_clock::duration waited) {
   if (real_time_when != RealTime::kWhenLate) return;
-  const auto now = std::chrono::steady_clock::now();
-  lateness_of_all.record(waited, now);
-  if (own_urgency) set_real_time(own_urgency->before_it_is_late || lateness_of_all.lately(now));
+  const auto now = steady_clock::now();
+  // With processors to spare, a thread is late because of its own process or of the machine, which no priority mends.
+  lateness_of_all.record(waited >= Lateness::kLate && processors_are_short(), now);
+  if (own_urgency) set_real_time(is_time(own_urgency->when, now));
 }
 
 void give_way() {

@@ -14,7 +14,8 @@ enum class Promptness {
 
 enum class RealTime {
   kNever,
-  kWhenLate,  // for up to a second after any of these threads has woken up late (lateness.h); with kAlarm always
+  kWhenLate,  // for some seconds after any of these threads has woken up late (lateness.h); with kNext, if they are late
+              // often; with kAlarm always
   kAlways,
 };
 
@@ -37,7 +38,8 @@ enum class RealTime {
 // another thread's slice, which takes some milliseconds.
 void run_promptly(Promptness how);
 
-// The calling thread has woken up for work that it was given so long ago, when it waited for nothing else.  With
+// The calling thread has woken up for work that it was given so long ago, when it waited for nothing else.  It is late
+// if that took Lateness::kLate or more, while more threads wanted to run than there are processors.  With
 // RealTime::kWhenLate a thread of run_promptly() gains or loses its priority here; of others it is only recorded
 // whether they were late.
 void woke_up_after(std::chrono::steady_clock::duration waited);

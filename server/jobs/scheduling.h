@@ -1,5 +1,4 @@
-// How the kernel schedules a thread: what sched_getattr(2) and sched_setattr(2) read and write.  Signal handlers may
-// call both functions.
+// How the kernel schedules threads.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +16,16 @@ struct Scheduling {
 };
 static_assert(sizeof(Scheduling) == 48);
 
+// What sched_getattr(2) reads and sched_setattr(2) writes.  Signal handlers may call both functions.
+//
 // Of the thread with this id; 0: the calling one.  Returns false if the kernel refuses.
 [[nodiscard]] bool read_scheduling(int thread, Scheduling& scheduling);
 
 // Of the calling thread.  Returns false, and changes nothing, if the kernel refuses.
 [[nodiscard]] bool write_scheduling(Scheduling scheduling);
+
+// Whether more threads of the whole machine run, or could run, than there are processors for this program.  Where the
+// kernel does not say, they might.
+[[nodiscard]] bool processors_are_short();
 
 }  // namespace selvage::server::jobs

@@ -13,6 +13,7 @@
 
 #include "server/jobs/prompt_thread.h"
 #include "tests/end_to_end/selvaged_test.h"
+#include "tests/support/crowd.h"
 
 namespace selvage::test {
 namespace {
@@ -113,15 +114,16 @@ TEST_F(SelvagedInRealTime, AlwaysIfTheSystemAllowsIt) {
                                                    : "no real-time priorities: the system allows none"));
 }
 
-TEST_F(SelvagedInRealTime, ByDefaultWhenAThreadHasWokenUpLate) {
+TEST_F(SelvagedInRealTime, ByDefaultWhenThreadsHaveWokenUpLate) {
   if (!allowed()) GTEST_SKIP() << "this system allows no real-time priorities";
+  const Crowd crowd;
   for (const auto& options : {std::vector<std::string>{}, {"--real-time"}}) {
     Process selvaged{arguments(options)};
     Wire post{port_of(selvaged)};
     Wire line{port_of(selvaged)};
     const std::string marker = open_marker(post, garment("jeans_22g"));
     std::vector<std::size_t> threads(3);
-    // Each gets it when it wakes up for a call, unless by then the second has passed.
+    // Each gets it when it wakes up for a call, unless by then its time has passed.
     for (int tries = 0; tries < 10 && (threads[1] < with_[1] || threads[2] < with_[2]); ++tries) {
       delay(selvaged, line, marker);
       (void)post_call(post, "marker.get", id_params(marker));

@@ -15,45 +15,62 @@ constexpr Time kStart{1h};
 
 TEST(Lateness, NobodyHasBeenLateAtFirst) {
   const Lateness lateness;
-  EXPECT_FALSE(lateness.lately(kStart));
-  EXPECT_FALSE(lateness.lately(Time{}));
+  for (const Time time : {Time{}, kStart}) {
+    EXPECT_FALSE(lateness.lately(time));
+    EXPECT_FALSE(lateness.often(time));
+  }
 }
 
-TEST(Lateness, LastsForThreeSeconds) {
+TEST(Lateness, LastsForThreeSecondsFromTheLastTime) {
   Lateness lateness;
-  lateness.record(500us, kStart);
-  EXPECT_TRUE(lateness.lately(kStart));
+  lateness.record(true, kStart - 900ms);
+  lateness.record(true, kStart);
   EXPECT_TRUE(lateness.lately(kStart + 2999ms));
+  EXPECT_TRUE(lateness.often(kStart + 2999ms));
   EXPECT_FALSE(lateness.lately(kStart + 3s));
+  EXPECT_FALSE(lateness.often(kStart + 3s));
 }
 
-TEST(Lateness, ThreadsThatWakeUpSoonerNeitherBeginNorEndIt) {
-  Lateness lateness;
-  lateness.record(499us, kStart);
-  EXPECT_FALSE(lateness.lately(kStart));
-  lateness.record(4ms, kStart);
-  lateness.record(10us, kStart + 500ms);
-  EXPECT_TRUE(lateness.lately(kStart + 2999ms));
-  EXPECT_FALSE(lateness.lately(kStart + 3s));
+void wake_up_in_time(Lateness& lateness, int times) {
+  for (int i = 0; i < times; ++i) lateness.record(false, kStart);
 }
 
 TEST(Lateness, EndsAfterAThousandPunctualWakeUps) {
   Lateness lateness;
-  lateness.record(1ms, kStart);
-  for (int i = 0; i < 999; ++i) lateness.record(0ms, kStart);
+  for (int i = 0; i < 2; ++i) lateness.record(true, kStart);
+  wake_up_in_time(lateness, 999);
   EXPECT_TRUE(lateness.lately(kStart));
-  lateness.record(0ms, kStart);
+  EXPECT_TRUE(lateness.often(kStart));
+  wake_up_in_time(lateness, 1);
   EXPECT_FALSE(lateness.lately(kStart));
-  lateness.record(1ms, kStart);
-  EXPECT_TRUE(lateness.lately(kStart));
+  EXPECT_FALSE(lateness.often(kStart));
 }
 
-TEST(Lateness, TheLastTimeCounts) {
+TEST(Lateness, OnceIsNotOften) {
   Lateness lateness;
-  lateness.record(1ms, kStart);
-  lateness.record(1ms, kStart + 900ms);
-  EXPECT_TRUE(lateness.lately(kStart + 3899ms));
-  EXPECT_FALSE(lateness.lately(kStart + 3900ms));
+  lateness.record(true, kStart);
+  EXPECT_TRUE(lateness.lately(kStart));
+  EXPECT_FALSE(lateness.often(kStart));
+}
+
+TEST(Lateness, TwiceIsOftenWithFewWakeUpsBetween) {
+  Lateness lateness;
+  lateness.record(true, kStart);
+  wake_up_in_time(lateness, 200);
+  lateness.record(true, kStart);
+  EXPECT_FALSE(lateness.often(kStart));
+  wake_up_in_time(lateness, 199);
+  lateness.record(true, kStart);
+  EXPECT_TRUE(lateness.often(kStart));
+}
+
+TEST(Lateness, TwiceIsOftenWithinThreeSeconds) {
+  Lateness lateness;
+  lateness.record(true, kStart);
+  lateness.record(true, kStart + 3s);
+  EXPECT_FALSE(lateness.often(kStart + 3s));
+  lateness.record(true, kStart + 5999ms);
+  EXPECT_TRUE(lateness.often(kStart + 5999ms));
 }
 
 }  // namespace

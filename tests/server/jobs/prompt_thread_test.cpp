@@ -20,6 +20,8 @@
 #include "server/jobs/job_queue.h"
 #include "server/jobs/lateness.h"
 #include "server/jobs/real_time_share.h"
+#include "server/jobs/scheduling.h"
+#include "tests/support/crowd.h"
 
 namespace selvage::server::jobs {
 namespace {
@@ -235,20 +237,47 @@ void wake_up_in_time_until_ordinary() {
   } while (real_time_priority() > 0);
 }
 
-TEST_F(InRealTime, OnlyWhileAThreadWakesUpLateIfSoWished) {
+// On a thread that is not a prompt one.
+void be_late_elsewhere(int times) {
+  std::jthread{[times] {
+    for (int i = 0; i < times; ++i) woke_up_after(Lateness::kLate);
+  }}.join();
+}
+
+TEST_F(InRealTime, OnlyWhileThreadsWaitForProcessorsIfSoWished) {
   ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  const test::Crowd crowd;
+  ASSERT_TRUE(processors_are_short());
   std::jthread{[] {
     run_promptly(Promptness::kSoon);
     wake_up_in_time_until_ordinary();  // some other test may have been late
-    woke_up_after(Lateness::kLate / 2);
+    for (int i = 0; i < 2; ++i) woke_up_after(Lateness::kLate / 2);
     EXPECT_EQ(real_time_priority(), 0U);
     const auto late = steady_clock::now();
-    std::jthread{[] { woke_up_after(Lateness::kLate); }}.join();  // another thread, which is not a prompt one
+    be_late_elsewhere(2);
     EXPECT_EQ(real_time_priority(), 0U);
     woke_up_after({});
     EXPECT_GT(real_time_priority(), 0U);
     wake_up_in_time_until_ordinary();
     EXPECT_GE(steady_clock::now() - late, Lateness::kLately);
+  }}.join();
+}
+
+TEST_F(InRealTime, NotWhenThreadsAreLateWithProcessorsToSpare) {
+  ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  std::jthread{[] {
+    run_promptly(Promptness::kSoon);
+    // Other programs may begin to run in the middle of a try.
+    constexpr int kTries = 5;
+    int spare = 0;
+    for (int tries = 0; tries < kTries; ++tries) {
+      wake_up_in_time_until_ordinary();
+      spare += processors_are_short() ? 0 : 1;
+      be_late_elsewhere(2);
+      woke_up_after({});
+      if (real_time_priority() == 0) return;
+    }
+    EXPECT_LT(spare, kTries);
   }}.join();
 }
 
@@ -270,14 +299,16 @@ TEST_F(InRealTime, AlwaysIfSoWished) {
 
 TEST_F(InRealTime, AThreadThatIsNotAPromptOneHasNoneWhenItIsLate) {
   ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  const test::Crowd crowd;
   std::jthread{[] {
-    woke_up_after(Lateness::kLate);
+    for (int i = 0; i < 2; ++i) woke_up_after(Lateness::kLate);
     EXPECT_EQ(real_time_priority(), 0U);
   }}.join();
 }
 
 TEST_F(InRealTime, AWorkerForQuickJobsThatTakesAJobLateIsOneThatWokeUpLate) {
   ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
+  const test::Crowd crowd;
   std::atomic<int> asked{};
   std::atomic<unsigned> priority{};
   JobQueue queue{1, 8, {1}, [&asked] { return steady_clock::time_point{Lateness::kLate * ++asked}; }};
