@@ -14,8 +14,8 @@ enum class Promptness {
 
 enum class RealTime {
   kNever,
-  kWhenLate,  // for some seconds after any of these threads has woken up late (lateness.h); with kNext, if they are late
-              // often; with kAlarm always
+  kWhenLate,  // for some seconds after any of these threads has woken up late (lateness.h); with kNext, if they are
+              // late often; with kAlarm always
   kAlways,
 };
 
