@@ -3,8 +3,8 @@
 //
 // usage: ablation_table SECONDS SEEDS MARKER...
 //
-// SECONDS: processor time of each run, on one thread; SEEDS: the runs have the seeds 1 to SEEDS.  Layouts in the files
-// are not used.  Every answer is proved by nest() itself.
+// SECONDS: processor time of each run, on one thread.  The seeds are 1 to SEEDS.  Layouts in the files are not used.
+// nest() proves every answer.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/measure/timing.h"
 #include "bench/support/marker_file.h"
 #include "core/marker/figures.h"
 #include "core/nesting/nest.h"
@@ -44,19 +45,14 @@ std::vector<Ablation> ablations() {
   };
 }
 
-double own_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) / 1e9;
-}
-
 // Per cent.
 double density(const Marker& marker, const Ablation& ablation, double seconds, std::uint64_t seed) {
   NestSettings settings;
   settings.moves = std::numeric_limits<std::uint64_t>::max();
   settings.from_scratch = true;
   settings.seed = seed;
-  settings.elapsed = [start = own_seconds(), seconds] { return (own_seconds() - start) / seconds; };
+  const auto processor_time = [] { return measure::milliseconds(CLOCK_PROCESS_CPUTIME_ID) / 1000; };
+  settings.elapsed = [=, start = processor_time()] { return (processor_time() - start) / seconds; };
   ablation.apply(settings);
   SumCache sums;
   const auto done = nest(marker, settings, {sums});

@@ -100,7 +100,7 @@ void run_promptly(Promptness how) {
 void woke_up_after(steady_clock::duration waited) {
   if (real_time_when != RealTime::kWhenLate) return;
   const auto now = steady_clock::now();
-  // With processors to spare, a thread is late because of its own process or of the machine, which no priority mends.
+  // While a processor is idle, a late thread has not waited for another thread, so a priority would not help it.
   lateness_of_all.record(waited >= Lateness::kLate && processors_are_short(), now);
   if (own_urgency) set_real_time(is_time(own_urgency->when, now));
 }

@@ -44,15 +44,15 @@ std::optional<Error> write_in_place(const std::string& path, std::string_view te
   return std::nullopt;
 }
 
-// Whether a new file may take the place of what has the name: pipes, devices and links stay what they are.
+// Whether a new file may replace what has this name.  Pipes, devices and links are written to instead.
 bool replaces(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::symlink_status(path, ignored);
   return !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
 }
 
-// Writes another file, which then takes the name.  So what the name stood for is there until all of the text is, also
-// when the disk is full.
+// Writes a new file beside the one with this name, and then renames it.  So the old file remains until the new one is
+// complete, and also when the disk is full.
 std::optional<Error> write_whole(const std::string& path, std::string_view text) {
   namespace fs = std::filesystem;
   std::error_code failed;
@@ -60,13 +60,14 @@ std::optional<Error> write_whole(const std::string& path, std::string_view text)
   std::ofstream file{draft, std::ios::binary | std::ios::trunc};
   if (!file) return write_in_place(path, text);  // the folder takes no new files
   file << text << std::flush;
-  const int reason = errno;
+  int reason = errno;
   if (file) {
     file.close();
     const auto before = fs::status(path, failed);
     if (fs::exists(before)) fs::permissions(draft, before.permissions(), failed);
     fs::rename(draft, path, failed);
     if (!failed) return std::nullopt;
+    reason = failed.value();
   }
   fs::remove(draft, failed);
   errno = reason;

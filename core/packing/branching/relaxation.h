@@ -55,8 +55,8 @@ class Relaxation {
 
   // After one of these has found that no layout is left: the decisions from which that follows.
   [[nodiscard]] Reasons conflict() const { return conflict_; }
-  // How often a look at the ring has found so; looks at other rings of its bodies, or in other orientations, count for
-  // a part.
+  // How often a look at the ring has found that, plus a part of how often looks at the other rings of the two bodies
+  // have, those in other orientations included.
   [[nodiscard]] double conflicts(const RingState& ring) const;
   // Decisions count from this node on: what is known at it holds anyway.
   void begin_at(Node& node);

@@ -129,8 +129,9 @@ Rooms rooms_of(const HalfPlane& plane, const RealBox& box) {
   return {std::min(x0, x1) + std::min(y0, y1) - plane.c, std::max(x0, x1) + std::max(y0, y1) - plane.c};
 }
 
-// Whether numbers from `a` or `b` on, away from the centre and up to the end of `low` to `high`, lie between
-// `part_low` and `part_high` for sure; corners are rounded by up to a unit.
+// Along one axis: whether everything in a box from `low` to `high` that is at least as far from the centre as the
+// nearer one of the corners `a` and `b`, on their side of it, certainly lies between `part_low` and `part_high`.  False
+// when the corners may lie on different sides.  They are rounded by up to a unit.
 bool are_within(double a, double b, double centre, double low, double high, double part_low, double part_high) {
   const double least = std::min(a, b) - kRaySlack;
   const double most = std::max(a, b) + kRaySlack;
@@ -206,7 +207,8 @@ bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const 
   return cell.count > 0;
 }
 
-// Where the edge's ends lie on the same side of the centre along an axis, so does the wedge, and no nearer than they.
+// If both ends of the edge lie on the same side of the centre along an axis, then so does the whole wedge, and no point
+// of it is nearer to the centre along that axis than both of them.
 bool WedgeRing::lies_within(std::uint32_t wedge, const RealBox& box, const RealBox& part) const {
   const RealVec a = corners_[wedge];
   const RealVec b = corners_[next(wedge)];
