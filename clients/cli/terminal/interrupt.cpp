@@ -2,7 +2,6 @@
 
 #include <pthread.h>
 #include <signal.h>
-#include <time.h>
 
 namespace selvage::cli::terminal {
 namespace {
@@ -15,14 +14,13 @@ sigset_t stop_signals() {
   return set;
 }
 
-// Little is allowed in a signal handler, so a thread waits for the signal instead.  It wakes up regularly to see
-// whether it should end.
+// Little is allowed in a signal handler, so a thread waits for the signal instead.
 void wait_for_signal(const std::stop_token& end, std::stop_source& requested) {
   const sigset_t set = stop_signals();
-  const timespec pause{0, 50'000'000};
-  while (!end.stop_requested()) {
-    const int signal = sigtimedwait(&set, nullptr, &pause);
-    if (signal < 0) continue;
+  for (;;) {
+    int signal{};
+    sigwait(&set, &signal);
+    if (end.stop_requested()) return;
     if (requested.stop_requested()) {
       pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
       raise(signal);
@@ -42,6 +40,7 @@ Interrupt::Interrupt() {
 
 Interrupt::~Interrupt() {
   waiter_.request_stop();
+  pthread_kill(waiter_.native_handle(), SIGTERM);  // only the waiting thread receives it, and ends
   waiter_.join();
   const sigset_t set = stop_signals();
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
