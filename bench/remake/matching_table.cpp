@@ -59,9 +59,9 @@ void print_assignment(std::size_t size) {
 }
 
 void print_pairing(const Marker& marker) {
-  const auto arrangement = remake::substitution::arrangement_of(marker, 0, marker.resolution);
+  const auto arrangement = remake::substitution::arrangement_of({marker, {}}, 0, marker.resolution);
   double difference = 0;
-  const double ms = least_ms([&] { difference = pair_pieces(marker, arrangement->slots).difference; });
+  const double ms = least_ms([&] { difference = pair_pieces({marker, {}}, arrangement->slots, {}).difference; });
   std::printf("| pairing of %s with itself, %zu pieces (difference %g) | %.2f |\n", marker.name.c_str(),
               marker.pieces.size(), difference, ms);
 }

@@ -46,7 +46,8 @@ int main(int count, char** words) {
   settings.attempt.fine = true;
   settings.thorough = true;  // run every step, even if the draft is good enough
   SumCache sums;
-  const auto done = remake::remake(order, std::vector<Marker>{stored.marker}, settings, scene::Run{sums});
+  const auto done = remake::remake({order, {}}, std::vector<matching::LabelledMarker>{{stored.marker, {}}}, settings,
+                                   scene::Run{sums});
   if (!done || !done->chosen) return EXIT_FAILURE;
   std::printf("| step | length | utilisation | valid |\n|---|---|---|---|\n");
   print_row("the stored marker", stored.marker, is_valid(stored.marker));

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace selvage::matching {
 namespace {
 
-constexpr double kOtherName = 1.05;  // factor on the cost of shapes whose ids differ
-constexpr double kGrowth = 1;        // weight of growth across the strip, relative to the difference
+constexpr double kGrowth = 1;  // weight of growth across the strip, relative to the difference
 
 Orientation without_tilt(const Orientation& orientation) {
   return {orientation.flip, orientation.rotation, {}};
@@ -22,7 +20,7 @@ Angle allowed_tilt(Angle limit, Angle tilt) {
 }
 
 // Slots with the same outline and orientation but for tilts are alike.
-using SlotKey = std::tuple<std::string, Orientation, std::uint64_t>;
+using SlotKey = std::pair<Orientation, std::uint64_t>;
 
 // The silhouettes of a shape, drawn once for each way in which it lies without tilt.
 class DrawnShape {
@@ -36,8 +34,7 @@ class DrawnShape {
       const Silhouette& own = drawn(orientation);
       const double difference = estimated_difference(own, silhouette);
       const double growth = std::max(0.0, own.height - silhouette.height) * (own.width + silhouette.width) / 2;
-      const double factor = shape_.id == slot.shape ? 1 : kOtherName;
-      fits.push_back({(difference + kGrowth * growth) * factor, difference, orientation});
+      fits.push_back({difference + kGrowth * growth, difference, orientation});
     }
     std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
     return fits;
@@ -57,8 +54,12 @@ class DrawnShape {
 }  // namespace
 
 Slot slot_of(const Shape& shape, const Orientation& orientation, Vec at) {
-  return {shape.id, oriented(shape.outline, orientation), oriented(shape.outline, without_tilt(orientation)),
-          orientation, at};
+  return {shape.id,
+          oriented(shape.outline, orientation),
+          oriented(shape.outline, without_tilt(orientation)),
+          orientation,
+          at,
+          {}};
 }
 
 std::vector<Orientation> orientations_of(const Shape& shape, const Orientation& slot) {
@@ -81,7 +82,7 @@ FitTable::FitTable(const Marker& order, std::span<const Slot> slots) {
   for (const Slot& slot : slots) {
     Silhouette silhouette = silhouette_of(slot.untilted);
     const Orientation untilted = without_tilt(slot.orientation);
-    const auto [kind, fresh] = kinds.try_emplace({slot.shape, untilted, silhouette.hash}, kinds_.size());
+    const auto [kind, fresh] = kinds.try_emplace({untilted, silhouette.hash}, kinds_.size());
     slots_.push_back({slot.orientation.tilt, kind->second});
     if (!fresh) continue;
     kinds_.push_back(silhouette);

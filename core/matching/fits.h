@@ -3,7 +3,7 @@
 // A slot is the place of a piece in a marker that is to be taken over.  What a piece costs in a slot is the estimated
 // area in which their silhouettes differ, in one of the orientations that the piece's shape allows, and the growth
 // across the strip counts again: pieces stacked across the cloth that become taller do not fit its width any more,
-// whereas smaller ones leave a gap (docs/from-the-library.md).  Shapes with the same id are preferred a little.
+// whereas smaller ones leave a gap (docs/from-the-library.md).  What pieces are called counts apart (pairing.h).
 // Tilts take no part in that: silhouettes are compared without them, and a piece takes the slot's tilt where its shape
 // allows it.
 // Units: lattice units and square lattice units of the order's resolution.
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/marker/marker.h"
+#include "core/matching/label.h"
 #include "core/matching/silhouette.h"
 
 namespace selvage::matching {
@@ -25,8 +26,9 @@ struct Slot {
   Polygon untilted;         // in its orientation but for the tilt
   Orientation orientation;  // of the piece that lies there
   Vec at;                   // of the outline
+  Label label;              // of that piece
 };
-// The slot of a piece of this shape.
+// The slot of a piece of this shape, without a label.
 [[nodiscard]] Slot slot_of(const Shape& shape, const Orientation& orientation, Vec at);
 
 // The orientations in which a piece of the shape is tried in a slot: all rotations and flips that the shape allows,

@@ -1,7 +1,9 @@
 // Which piece of an order takes the place of which piece of another marker, and in which orientation.
 //
-// The pairs are those of the least sum of costs (fits.h, assignment.h).  A pair that has more difference than `kUnlike`
-// times its area is no pair: its slot stays empty, and its piece is left over.
+// The pairs are those of the least sum of costs (assignment.h): of how the shapes fit (fits.h) and of what the pieces
+// are called (label.h).  Where one of two pieces has no name, the ids of their shapes are compared instead, and shapes
+// with the same id are preferred a little.  A pair that has more difference than `kUnlike` times its area is no pair:
+// its slot stays empty, and its piece is left over.
 // Units: lattice units of the order's resolution.
 #pragma once
 
@@ -12,6 +14,7 @@
 
 #include "core/marker/marker.h"
 #include "core/matching/fits.h"
+#include "core/matching/label.h"
 
 namespace selvage::matching {
 
@@ -26,7 +29,8 @@ struct Pairing {
   double difference{};                     // the sum of the estimated differences, of pieces and slots without partner
                                            // their areas; square lattice units
 };
-// Deterministic.  A marker's own pieces are paired with themselves, or with pieces that are equal, at difference 0.
-[[nodiscard]] Pairing pair_pieces(const Marker& order, std::span<const Slot> slots);
+// Laws.  (1) Deterministic.  (2) A marker's own pieces are paired with themselves, or with pieces that are equal, names
+// and sizes included, at difference 0.  (3) Labels raise the sum of the fits' costs by at most the sum of their prices.
+[[nodiscard]] Pairing pair_pieces(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices);
 
 }  // namespace selvage::matching

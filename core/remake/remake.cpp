@@ -153,11 +153,12 @@ void take_shortest(Remake& remake) {
 
 }  // namespace
 
-Result<Remake> remake(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings,
-                      const scene::Run& run) {
+Result<Remake> remake(const matching::LabelledMarker& labelled, std::span<const matching::LabelledMarker> stored,
+                      const RemakeSettings& settings, const scene::Run& run) {
+  const Marker& order = labelled.marker;
   if (auto defect = defect_of(order)) return *std::move(defect);
   const std::vector<Candidate> candidates =
-      substitution::candidates_for(order, stored, settings.concatenate, settings.attempt.tuning, *run.executor);
+      substitution::candidates_for(labelled, stored, settings.concatenate, settings.attempt.tuning, *run.executor);
   Remake remake;
   remake.marker = order;
   remake.length_before = length_of(order);

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/matching/label.h"
 #include "core/motion/repair/motion_result.h"
 #include "core/remake/attempt.h"
 
@@ -50,10 +51,12 @@ struct Remake : motion::repair::MotionResult {
   std::optional<std::size_t> chosen;  // the attempt that the answer is from
 };
 
-// The positions of the order's placed pieces do not matter.
+// The positions of the order's placed pieces do not matter.  Names and sizes of pieces count where both sides have them
+// (core/matching/label.h).
 // Errors: kOutOfRange for a zone, for a placed piece that is locked or in a group, and for an unplaced one that may not
 // tilt; those of nest, when it is asked for.
-[[nodiscard]] Result<Remake> remake(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings,
+[[nodiscard]] Result<Remake> remake(const matching::LabelledMarker& order,
+                                    std::span<const matching::LabelledMarker> stored, const RemakeSettings& settings,
                                     const scene::Run& run);
 
 }  // namespace selvage::remake

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,8 +41,9 @@ struct Motion {
   MotionEnd end;
   Own result;  // the motion's own fields
 };
-template <class Params, class Own>
-using MotionFunction = Result<Motion<Own>> (*)(const Params&, const Marker&, const MethodContext&);
+// Of a Marker, or of a MarkerFile for the few motions that also read attributes.
+template <class Params, class Own, class Start>
+using MotionFunction = Result<Motion<Own>> (*)(const Params&, const Start&, const MethodContext&);
 
 // The fields that the result of every motion has in addition to its own.
 struct MotionBefore {
@@ -94,16 +96,25 @@ struct MotionResult {
 [[nodiscard]] MethodAnswer answer_of(const Marker& start, MotionEnd end, const Json& own, bool commit,
                                      const MethodContext& context);
 
+template <class Start>
+[[nodiscard]] const Start& start_of(const MarkerFile& file) {
+  if constexpr (std::is_same_v<Start, MarkerFile>) {
+    return file;
+  } else {
+    return file.marker;
+  }
+}
+
 // The method of a motion.  REQUIRES: Params has a CommonParams `call`.
-template <class Params, class Own>
+template <class Params, class Own, class Start>
 [[nodiscard]] Method motion_method(std::string_view name, MethodKind kind, std::string_view summary,
-                                   MotionFunction<Params, Own> work) {
+                                   MotionFunction<Params, Own, Start> work) {
   const auto read = [name, kind, work](const Json& json) -> Result<ParsedCall> {
     Result<Params> wanted = schema::decode<Params>(json);
     if (!wanted) return wanted.error();
     const auto params = std::make_shared<const Params>(*std::move(wanted));
     const auto run = [params, work](const MarkerFile& file, const MethodContext& context) -> Result<MethodAnswer> {
-      Result<Motion<Own>> done = work(*params, file.marker, context);
+      Result<Motion<Own>> done = work(*params, start_of<Start>(file), context);
       if (!done) return done.error();
       return answer_of(file.marker, std::move(done->end), schema::encode(done->result), params->call.commit, context);
     };

@@ -25,7 +25,7 @@ struct MethodContext {
   // Whether the run was stopped by its deadline, rather than by its caller.
   std::function<bool()> past_deadline = [] { return false; };
   // The stored markers that are most similar to an order, at most this many.  Empty if there is no library.
-  std::function<std::vector<Marker>(const Marker& order, std::size_t most)> library{};
+  std::function<std::vector<MarkerFile>(const Marker& order, std::size_t most)> library{};
 };
 [[nodiscard]] std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const MethodContext& context);
 [[nodiscard]] StopCause stop_cause(scene::StopReason reason, const MethodContext& context);

@@ -121,13 +121,13 @@ std::vector<Near> Library::search(const Marker& order, std::size_t most) const {
   return found;
 }
 
-std::vector<Marker> Library::markers_near(const Marker& order, std::size_t most) const {
-  std::vector<Marker> markers;
+std::vector<MarkerFile> Library::markers_near(const Marker& order, std::size_t most) const {
+  std::vector<MarkerFile> markers;
   for (const Near& near : search(order, most)) {
     const auto text = document(near.entry.number);
     auto file = text ? std::optional{protocol::formats::read_marker(*text)} : std::nullopt;
     if (file && *file) {
-      markers.push_back(std::move((*file)->marker));
+      markers.push_back(**std::move(file));
     } else {
       spdlog::error("the store: library marker {} is damaged and left out", id_of(near.entry));
     }

@@ -52,8 +52,8 @@ class Library {
   [[nodiscard]] Removed remove(std::uint64_t number);
   // The most similar markers first, at most `most` of them.  Markers that cannot be similar are left out.
   [[nodiscard]] std::vector<Near> search(const Marker& order, std::size_t most) const;
-  // The markers that are most similar to the order, in the form that remaking takes.
-  [[nodiscard]] std::vector<Marker> markers_near(const Marker& order, std::size_t most) const;
+  // The markers that are most similar to the order.
+  [[nodiscard]] std::vector<MarkerFile> markers_near(const Marker& order, std::size_t most) const;
 
  private:
   [[nodiscard]] std::optional<std::size_t> index_of(std::uint64_t number) const;

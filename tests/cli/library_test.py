@@ -143,6 +143,25 @@ class Remake(Library):
         self.assertEqual(checked.returncode, OK, checked.stdout)
         self.assertIn("40 pieces", checked.stdout)
 
+    def test_names_decide_between_equal_shapes(self):
+        square = [[0, 0], [10, 0], [10, 10], [0, 10]]
+
+        def named(*names):
+            return {"format": "selvage-marker", "version": 1, "name": "names", "strip": {"width": 10}, "pieces": [],
+                    "shapes": [{"id": str(k), "outline": square, "attributes": {"name": name}} for k, name in enumerate(names)]}
+
+        stored = named("front", "back")
+        stored["pieces"] = [{"id": "a", "shape": "0", "at": [0, 0]}, {"id": "b", "shape": "1", "at": [10, 0]}]
+        order = named("back", "front")
+        order["unplaced"] = [{"id": "back", "shape": "0"}, {"id": "front", "shape": "1"}]
+        self.assertEqual(run("library", "add", self.path("lib"), self.write(stored, "stored.json")).returncode, OK)
+        for options, leftmost in (((), "front"), (("--shapes-only",), "back")):
+            ran = run("remake", self.write(order, "order.json"), "--library", self.path("lib"), *options,
+                      "-o", self.path("out.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            made = json.loads(self.path("out.json").read_text())
+            self.assertEqual([piece["id"] for piece in made["pieces"] if piece["at"] == [0, 0]], [leftmost])
+
     def test_reports_the_steps_of_every_attempt(self):
         library = self.library("jeans_02g")
         ran = run("remake", self.order(), "--library", library, "--tries", 1)

@@ -131,7 +131,8 @@ Result<Answer> remaking(const Marker& start, const Occasion& on) {
   stored.unplaced.clear();
   const bool own = whole && start.unplaced.empty() &&
                    std::ranges::all_of(start.pieces, [](const Piece& piece) { return piece.rules == marker::Rules{}; });
-  auto done = remake::remake(order, std::vector<Marker>{stored}, little_effort(on.random), on.run);
+  auto done = remake::remake({order, {}}, std::vector<matching::LabelledMarker>{{stored, {}}}, little_effort(on.random),
+                             on.run);
   if (!done) return done.error();
   const bool lost = own && done->outcome != remake::Outcome::kRemade && !on.run.stopped();
   Answer checked = *answer(std::move(done), {.tilts = true, .turns = true, .flips = true});

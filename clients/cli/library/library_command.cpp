@@ -10,6 +10,7 @@
 #include "clients/cli/terminal/failure.h"
 #include "clients/cli/terminal/files.h"
 #include "core/remake/substitution/choice.h"
+#include "protocol/library/labels.h"
 
 namespace selvage::cli::library {
 namespace {
@@ -59,9 +60,10 @@ ExitCode search_for(const std::string& path, const std::vector<StoredFile>& stor
   if (!order) return terminal::report(order.error());
   const auto near = nearest_in(stored, order->marker, kConsidered);
   if (!near) return terminal::report(near.error());
-  std::vector<Marker> markers;
-  for (const NearMarker& one : *near) markers.push_back(one.file.marker);
-  const auto found = remake::substitution::candidates_for(order->marker, markers, true, {}, serial());
+  std::vector<matching::LabelledMarker> markers;
+  for (const NearMarker& one : *near) markers.push_back(protocol::library::labelled(one.file));
+  const auto found =
+      remake::substitution::candidates_for(protocol::library::labelled(*order), markers, true, {}, serial());
   std::cout << path << ": " << found.size() << " near\n";
   for (std::size_t k = 0; k < found.size() && k < kShown; ++k) {
     char text[96];

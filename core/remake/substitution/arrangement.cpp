@@ -29,15 +29,19 @@ class Scale {
 
 }  // namespace
 
-std::optional<Arrangement> arrangement_of(const Marker& stored, std::size_t number, Resolution resolution) {
+std::optional<Arrangement> arrangement_of(const matching::LabelledMarker& labelled, std::size_t number,
+                                          Resolution resolution) {
+  const Marker& stored = labelled.marker;
   if (stored.pieces.empty()) return std::nullopt;
   const Scale scaled{stored.resolution, resolution};
   const Coord length = length_of(stored);
   if (!scaled.holds(static_cast<double>(std::max(length, stored.strip.width)))) return std::nullopt;
   Arrangement arrangement{.stored = {number}, .slots = {}, .length = scaled(length), .area = 0};
-  for (const Piece& piece : stored.pieces) {
+  for (std::size_t k = 0; k < stored.pieces.size(); ++k) {
+    const Piece& piece = stored.pieces[k];
     const Shape& shape = stored.shapes[piece.shape.value];
     matching::Slot slot = matching::slot_of(shape, piece.orientation, scaled(piece.at));
+    slot.label = label_of(labelled, k);
     for (Polygon* outline : {&slot.outline, &slot.untilted}) *outline = scaled(std::move(*outline));
     if (doubled_area(slot.outline) <= 0) continue;  // nothing is left of it on a coarse lattice
     arrangement.area += static_cast<double>(doubled_area(slot.outline)) / 2;

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/marker/marker.h"
+#include "core/matching/label.h"
 #include "core/matching/pairing.h"
 
 namespace selvage::remake::substitution {
@@ -20,8 +20,9 @@ struct Arrangement {
   double area{};  // of the pieces that lie there; square lattice units
 };
 
-// Of the placed pieces of a stored marker.  Nothing when it has none, or would be too large for the order's lattice.
-[[nodiscard]] std::optional<Arrangement> arrangement_of(const Marker& stored, std::size_t number,
+// Of the placed pieces of a stored marker, with their labels.  Nothing when it has none, or would be too large for the
+// order's lattice.
+[[nodiscard]] std::optional<Arrangement> arrangement_of(const matching::LabelledMarker& stored, std::size_t number,
                                                         Resolution resolution);
 // The second behind the first.  Nothing when that would be too long for the lattice.
 [[nodiscard]] std::optional<Arrangement> concatenated(const Arrangement& first, const Arrangement& second);

@@ -12,12 +12,12 @@ namespace selvage::remake::substitution {
 namespace {
 
 // Stored markers in a unit, width and spacing like the order's.
-std::vector<Arrangement> comparable(const Marker& order, std::span<const Marker> stored) {
+std::vector<Arrangement> comparable(const Marker& order, std::span<const matching::LabelledMarker> stored) {
   const matching::Signature wanted = matching::signature_of(order);
   std::vector<Arrangement> arrangements;
   for (std::size_t k = 0; k < stored.size(); ++k) {
-    if (stored[k].pieces.empty() || !std::isfinite(distance_between(wanted, matching::signature_of(stored[k]))))
-      continue;
+    const Marker& marker = stored[k].marker;
+    if (marker.pieces.empty() || !std::isfinite(distance_between(wanted, matching::signature_of(marker)))) continue;
     if (auto arrangement = arrangement_of(stored[k], k, order.resolution)) {
       arrangements.push_back(*std::move(arrangement));
     }
@@ -27,8 +27,10 @@ std::vector<Arrangement> comparable(const Marker& order, std::span<const Marker>
 
 }  // namespace
 
-std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marker> stored, bool concatenate,
+std::vector<Candidate> candidates_for(const matching::LabelledMarker& labelled,
+                                      std::span<const matching::LabelledMarker> stored, bool concatenate,
                                       const RemakeTuning& tuning, const Executor& executor) {
+  const Marker& order = labelled.marker;
   const double area = whole_area(order);
   const auto as_large = [&](double stored_area) {
     return stored_area >= tuning.least_area * area && stored_area <= tuning.most_area * area;
@@ -48,7 +50,7 @@ std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marke
   executor.for_each(candidates.size(), [&](std::size_t k) {
     Candidate& candidate = candidates[k];
     const Arrangement& arrangement = candidate.arrangement;
-    candidate.pairing = matching::pair_pieces(order, arrangement.slots);
+    candidate.pairing = matching::pair_pieces(labelled, arrangement.slots, tuning.labels);
     candidate.difference = candidate.pairing.difference / area;
     candidate.used = arrangement.area / width / static_cast<double>(arrangement.length);
     const double smaller = std::min(1.0, area / arrangement.area);  // a smaller order leaves cloth unused

@@ -21,10 +21,11 @@ struct Candidate {
 };
 
 // The arrangements near enough to be tried, best prediction first: single markers and, where two together are as large
-// as the order, concatenations.  `concatenate` false: single markers only.
+// as the order, concatenations.  `concatenate` false: single markers only.  Names and sizes settle which piece takes
+// the place of which stored one; the prediction depends on the shapes of these pairs alone.
 // Units: see Candidate.  Deterministic; another stored marker only adds candidates.
-[[nodiscard]] std::vector<Candidate> candidates_for(const Marker& order, std::span<const Marker> stored,
-                                                    bool concatenate, const RemakeTuning& tuning,
-                                                    const Executor& executor);
+[[nodiscard]] std::vector<Candidate> candidates_for(const matching::LabelledMarker& order,
+                                                    std::span<const matching::LabelledMarker> stored, bool concatenate,
+                                                    const RemakeTuning& tuning, const Executor& executor);
 
 }  // namespace selvage::remake::substitution

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/matching/label.h"
+
 namespace selvage::remake::substitution {
 
 struct RemakeTuning {
@@ -14,11 +16,12 @@ struct RemakeTuning {
   double least_area{0.8};        // stored area relative to the order's; smaller markers are parts of concatenations
   double most_area{1.25};
   // Substitution:
-  double ambiguous{1.15};        // orientations that cost at most this factor more are judged by their overlaps
-  std::size_t column_swaps{24};  // of pieces that are alike, until columns fit across the strip
-  double column_cell{0.002};     // sampling of outlines along x
-  double column_slip{0.02};      // pieces that share less of x than this may pass each other
-  double swap_price{0.25};       // a swap may cost at most this part of the swapped pieces' area
+  matching::LabelPrices labels{};  // of names and sizes that differ
+  double ambiguous{1.15};          // orientations that cost at most this factor more are judged by their overlaps
+  std::size_t column_swaps{24};    // of pieces that are alike, until columns fit across the strip
+  double column_cell{0.002};       // sampling of outlines along x
+  double column_slip{0.02};        // pieces that share less of x than this may pass each other
+  double swap_price{0.25};         // a swap may cost at most this part of the swapped pieces' area
   // Coming apart:
   double growth{0.04};          // part of its length by which separation may lengthen the marker
   int separation_rounds{40};    // at most

@@ -5,6 +5,7 @@
 
 #include "core/marker/figures.h"
 #include "protocol/calls/motion.h"
+#include "protocol/library/labels.h"
 #include "protocol/methods/library/given_marker.h"
 
 namespace selvage::protocol::schema {
@@ -44,7 +45,7 @@ struct RemakeParams {
   calls::CommonParams call;
   std::optional<std::vector<GivenMarker>> stored;
   std::size_t tries{remake::RemakeSettings{}.tries};
-  bool single{}, thorough{}, keep_trims{}, fine{}, nest{};
+  bool shapes_only{}, single{}, thorough{}, keep_trims{}, fine{}, nest{};
   std::uint64_t nest_moves{remake::RemakeSettings{}.nest_moves};
 
   static void describe(auto& v, auto& self) {
@@ -55,6 +56,9 @@ struct RemakeParams {
                {.entries = {{1, kMostStored}}, .entries_are = "markers"});
     v.optional("tries", self.tries, "Maximum number of arrangements to try, 1 to 64; the shortest result is used.",
                {.range = {{1, kMostTries}}});
+    v.optional("shapesOnly", self.shapes_only,
+               "True: choose the stored piece for each piece by shape alone. False: names and sizes count, too, where "
+               "both pieces have them.");
     v.optional("single", self.single, "True: use only one stored marker at a time; never put two of them end to end.");
     v.optional("thorough", self.thorough,
                "True: make all tries, and search for a shorter marker in each. False: take the first result whose "
@@ -139,19 +143,26 @@ RemakeAttempt report_of(const remake::Attempt& attempt, const Marker& order) {
   return report;
 }
 
-Result<std::vector<Marker>> stored_for(const RemakeParams& params, const Marker& order,
-                                       const calls::MethodContext& context) {
-  if (!params.stored) {
-    if (context.library) return context.library(order, kNearest);
+matching::LabelledMarker compared(const RemakeParams& params, const MarkerFile& file) {
+  return params.shapes_only ? matching::LabelledMarker{file.marker, {}} : protocol::library::labelled(file);
+}
+
+Result<std::vector<matching::LabelledMarker>> stored_for(const RemakeParams& params, const Marker& order,
+                                                         const calls::MethodContext& context) {
+  std::vector<matching::LabelledMarker> stored;
+  if (params.stored) {
+    for (const GivenMarker& given : *params.stored) stored.push_back(compared(params, given.file));
+  } else if (context.library) {
+    for (const MarkerFile& file : context.library(order, kNearest)) stored.push_back(compared(params, file));
+  } else {
     return Error{ErrorCode::kMissingField, "the field is missing; it is required where there is no library", "/stored"};
   }
-  std::vector<Marker> stored;
-  for (const GivenMarker& given : *params.stored) stored.push_back(given.file.marker);
   return stored;
 }
 
-Result<calls::Motion<RemakeResult>> run_remake(const RemakeParams& params, const Marker& order,
+Result<calls::Motion<RemakeResult>> run_remake(const RemakeParams& params, const MarkerFile& file,
                                                const calls::MethodContext& context) {
+  const Marker& order = file.marker;
   remake::RemakeSettings settings;
   settings.tries = params.tries;
   settings.concatenate = !params.single;
@@ -162,7 +173,7 @@ Result<calls::Motion<RemakeResult>> run_remake(const RemakeParams& params, const
   settings.nest_moves = params.nest_moves;
   const auto stored = stored_for(params, order, context);
   if (!stored) return stored.error();
-  auto done = remake::remake(order, *stored, settings, context.run);
+  auto done = remake::remake(compared(params, file), *stored, settings, context.run);
   if (!done) return done.error();
   RemakeResult result{.outcome = done->outcome,
                       .candidates = done->candidates,

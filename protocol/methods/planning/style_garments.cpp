@@ -3,31 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "protocol/document/piece_label.h"
 #include "protocol/json/json_text.h"
 
 namespace selvage::protocol::methods::planning {
-namespace {
-
-// A size is a text, or a whole number, which is read as its digits; empty: neither.
-std::string size_in(const std::vector<Json>& attributes, std::size_t at) {
-  if (at >= attributes.size() || !attributes[at].is_object()) return {};
-  const auto found = attributes[at].find("size");
-  if (found == attributes[at].end()) return {};
-  if (found->is_string()) return found->get<std::string>();
-  return found->is_number_integer() ? json::to_text(*found) : std::string{};
-}
-
-}  // namespace
-
-std::string size_of_piece(const MarkerFile& style, std::size_t position) {
-  const std::size_t placed = style.marker.pieces.size();
-  const bool is_placed = position < placed;
-  const Piece& piece = is_placed ? style.marker.pieces[position] : style.marker.unplaced[position - placed];
-  std::string size =
-      is_placed ? size_in(style.attributes.pieces, position) : size_in(style.attributes.unplaced, position - placed);
-  return size.empty() ? size_in(style.attributes.shapes, piece.shape.value) : size;
-}
-
 Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
                                                         const std::vector<std::string>& sizes) {
   if (style.marker.unit != "mm") {
@@ -41,7 +20,7 @@ Result<selvage::planning::making::Garments> garments_of(const MarkerFile& style,
   for (std::size_t position = 0; position < pieces; ++position) {
     const bool placed = position < style.marker.pieces.size();
     if (placed && style.marker.pieces[position].rules.zone) continue;  // of its cloth, not of the style
-    const std::string size = size_of_piece(style, position);
+    const std::string size = document::size_of_piece(style, position);
     if (size.empty()) {
       return Error{ErrorCode::kOutOfRange,
                    "a piece of the style has no size: its attributes, or those of its shape, must name it",

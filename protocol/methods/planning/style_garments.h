@@ -1,5 +1,5 @@
 // The garments of a style that is open as a marker: a piece belongs to the size that its attributes name, or those of
-// its shape.
+// its shape (protocol/document/piece_label.h).
 #pragma once
 
 #include <string>
@@ -10,10 +10,6 @@
 #include "protocol/document/marker_file.h"
 
 namespace selvage::protocol::methods::planning {
-
-// The name of the size that the piece at this position, among the placed and then the unplaced ones, belongs to; empty
-// when neither the piece nor its shape has "size" among its attributes.
-[[nodiscard]] std::string size_of_piece(const MarkerFile& style, std::size_t position);
 
 // One bundle of each of the sizes.
 // Errors: kOutOfRange for a marker that is not in millimetres, a piece without a size, and a size that no piece has;

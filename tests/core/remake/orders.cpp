@@ -1,6 +1,7 @@
 #include "tests/core/remake/orders.h"
 
 #include <cmath>
+#include <utility>
 
 namespace selvage::test {
 namespace {
@@ -13,6 +14,16 @@ void scale(Shape& shape, double factor) {
 }
 
 }  // namespace
+
+matching::LabelledMarker unlabelled(Marker marker) {
+  return {std::move(marker), {}};
+}
+
+std::vector<matching::LabelledMarker> unlabelled(std::span<const Marker> markers) {
+  std::vector<matching::LabelledMarker> all;
+  for (const Marker& marker : markers) all.push_back(unlabelled(marker));
+  return all;
+}
 
 Marker order_of(Marker marker) {
   for (Piece& piece : marker.pieces) {

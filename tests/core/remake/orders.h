@@ -1,9 +1,16 @@
 // Orders for tests, made from a marker.
 #pragma once
 
-#include "core/marker/marker.h"
+#include <span>
+#include <vector>
+
+#include "core/matching/label.h"
 
 namespace selvage::test {
+
+// Pieces that are not called anything.
+[[nodiscard]] matching::LabelledMarker unlabelled(Marker marker);
+[[nodiscard]] std::vector<matching::LabelledMarker> unlabelled(std::span<const Marker> markers);
 
 // The marker's pieces, all unplaced.
 [[nodiscard]] Marker order_of(Marker marker);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "core/marker/validity.h"
 #include "core/motion/compaction/compact.h"
@@ -25,7 +26,7 @@ Marker stored_jeans() {
 
 Remake remade(const Marker& order, std::span<const Marker> stored, const RemakeSettings& settings = {}) {
   SumCache sums;
-  auto done = remake(order, stored, settings, scene::Run{sums});
+  auto done = remake(test::unlabelled(order), test::unlabelled(stored), settings, scene::Run{sums});
   EXPECT_TRUE(done);
   return done ? *std::move(done) : Remake{};
 }
@@ -63,6 +64,27 @@ TEST(Remake, OfRandomMarkersOwnOrdersIsNoLonger) {
     ASSERT_EQ(done.outcome, Outcome::kRemade);
     expect_sound(test::order_of(marker), done);
     EXPECT_LE(done.length_after, length_of(marker));
+  }
+}
+
+// Names and sizes that agree with the shapes, or that contradict them.
+TEST(Remake, OfAMarkersOwnOrderIsNoLongerWithNames) {
+  matching::LabelledMarker stored = test::unlabelled(stored_jeans());
+  for (const Piece& piece : stored.marker.pieces) {
+    const std::string& id = stored.marker.shapes[piece.shape.value].id;
+    stored.labels.push_back({id, id.substr(0, 1)});
+  }
+  matching::LabelledMarker order{test::order_of(stored.marker), stored.labels};
+  for (const bool contradicting : {false, true}) {
+    if (contradicting) std::rotate(order.labels.begin(), order.labels.begin() + 11, order.labels.end());
+    SumCache sums;
+    const auto done = remake(order, std::vector{stored}, {}, scene::Run{sums});
+    ASSERT_TRUE(done);
+    ASSERT_EQ(done->outcome, Outcome::kRemade);
+    expect_sound(order.marker, *done);
+    if (contradicting) continue;
+    EXPECT_LE(done->length_after, length_of(stored.marker));
+    EXPECT_EQ(done->attempts[0].difference, 0);
   }
 }
 
@@ -217,14 +239,14 @@ TEST(Remake, RefusesLockedPiecesAndGroups) {
   Marker order = test::garment("jeans_02g");
   order.pieces[3].locked.x = true;
   SumCache sums;
-  const auto done = remake(order, std::vector<Marker>{order}, {}, scene::Run{sums});
+  const auto done = remake(test::unlabelled(order), {}, {}, scene::Run{sums});
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().field, "/pieces/3");
   order = test::order_of(order);
   order.unplaced[3].locked = {};
-  EXPECT_TRUE(remake(order, std::vector<Marker>{}, {}, scene::Run{sums}));
+  EXPECT_TRUE(remake(test::unlabelled(order), {}, {}, scene::Run{sums}));
   order.unplaced[7].locked.tilt = true;
-  const auto turned = remake(order, std::vector<Marker>{}, {}, scene::Run{sums});
+  const auto turned = remake(test::unlabelled(order), {}, {}, scene::Run{sums});
   ASSERT_FALSE(turned);
   EXPECT_EQ(turned.error().field, "/unplaced/7");
 }
@@ -233,7 +255,7 @@ TEST(Remake, RefusesZones) {
   Marker order = test::garment("jeans_02g");
   order.pieces[3].rules.zone = true;
   SumCache sums;
-  const auto done = remake(order, std::vector<Marker>{order}, {}, scene::Run{sums});
+  const auto done = remake(test::unlabelled(order), {}, {}, scene::Run{sums});
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().field, "/pieces/3");
   EXPECT_THAT(done.error().message, testing::HasSubstr("is a zone of the cloth"));
@@ -245,7 +267,7 @@ TEST(Remake, DoesNotDependOnThreadsOrTheCache) {
   const Remake alone = remade(order, stored);
   const protocol::execution::ThreadPool pool{2};
   SumCache sums{1};
-  const auto together = remake(order, stored, {}, scene::Run{sums, {}, {}, &pool});
+  const auto together = remake(test::unlabelled(order), test::unlabelled(stored), {}, scene::Run{sums, {}, {}, &pool});
   ASSERT_TRUE(together);
   EXPECT_EQ(together->marker, alone.marker);
   EXPECT_EQ(together->programs, alone.programs);
@@ -257,7 +279,7 @@ TEST(Remake, ReturnsTheOrderWhenStoppedAtOnce) {
   SumCache sums;
   std::stop_source stop;
   stop.request_stop();
-  const auto done = remake(order, stored, {}, scene::Run{sums, stop.get_token()});
+  const auto done = remake(test::unlabelled(order), test::unlabelled(stored), {}, scene::Run{sums, stop.get_token()});
   ASSERT_TRUE(done);
   EXPECT_EQ(done->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(done->marker, order);

@@ -71,7 +71,7 @@ TEST(Library, FindsTheNearest) {
   EXPECT_EQ(library.search(file_of("h48", 48).marker, 1)[0].distance, 0);
   const auto markers = library.markers_near(file_of("order", 41).marker, 5);
   ASSERT_EQ(markers.size(), 3U);
-  EXPECT_EQ(markers[0], file_of("h40", 40).marker);
+  EXPECT_EQ(markers[0].marker, file_of("h40", 40).marker);
 }
 
 TEST(Library, ListsPages) {
@@ -125,7 +125,7 @@ TEST_F(StoredLibrary, SurvivesTheEndOfTheProcess) {
   EXPECT_EQ(library.count(), 1U);
   ASSERT_TRUE(library.find(1));
   EXPECT_EQ(library.find(1)->style, "boxes");
-  EXPECT_EQ(library.markers_near(file_of("one", 40).marker, 1)[0], file_of("one", 40).marker);
+  EXPECT_EQ(library.markers_near(file_of("one", 40).marker, 1)[0].marker, file_of("one", 40).marker);
   EXPECT_EQ(added(library, file_of("three", 42)), 3U);  // numbers are never used again
   EXPECT_FALSE(std::get<Added>(library.add(file_of("one", 40), "boxes")).fresh);
 }

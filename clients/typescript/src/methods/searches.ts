@@ -76,6 +76,8 @@ export interface SearchMethods {
       stored?: Array<MarkerDocument | Record<string, unknown>>;
       /** Maximum number of arrangements to try, 1 to 64; the shortest result is used. */
       tries?: number;
+      /** True: choose the stored piece for each piece by shape alone. False: names and sizes count, too, where both pieces have them. */
+      shapesOnly?: boolean;
       /** True: use only one stored marker at a time; never put two of them end to end. */
       single?: boolean;
       /** True: make all tries, and search for a shorter marker in each. False: take the first result whose utilisation is at most one point below that of the stored marker; if there is none, search for a shorter marker in the best result only. */

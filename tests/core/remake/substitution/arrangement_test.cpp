@@ -12,18 +12,18 @@ namespace {
 
 TEST(Arrangement, HasASlotForEveryPlacedPiece) {
   const Marker marker = test::garment("jeans_02g");
-  const auto arrangement = arrangement_of(marker, 3, marker.resolution);
+  const auto arrangement = arrangement_of(test::unlabelled(marker), 3, marker.resolution);
   ASSERT_TRUE(arrangement);
   EXPECT_EQ(arrangement->slots.size(), marker.pieces.size());
   EXPECT_EQ(arrangement->stored, (std::vector<std::size_t>{3}));
   EXPECT_EQ(arrangement->length, length_of(marker));
-  EXPECT_FALSE(arrangement_of(test::order_of(marker), 0, marker.resolution));
+  EXPECT_FALSE(arrangement_of(test::unlabelled(test::order_of(marker)), 0, marker.resolution));
 }
 
 TEST(Arrangement, IsExactOnAFinerLattice) {
   const Marker marker = test::garment("jeans_02g");
-  const auto fine = arrangement_of(marker, 0, Resolution{marker.resolution.exponent - 1});
-  const auto own = arrangement_of(marker, 0, marker.resolution);
+  const auto fine = arrangement_of(test::unlabelled(marker), 0, Resolution{marker.resolution.exponent - 1});
+  const auto own = arrangement_of(test::unlabelled(marker), 0, marker.resolution);
   ASSERT_TRUE(fine && own);
   EXPECT_EQ(fine->length, 10 * own->length);
   for (std::size_t k = 0; k < own->slots.size(); ++k) {
@@ -33,12 +33,12 @@ TEST(Arrangement, IsExactOnAFinerLattice) {
 
 TEST(Arrangement, IsRefusedWhereTheLatticeEnds) {
   const Marker marker = test::garment("jeans_02g");
-  EXPECT_FALSE(arrangement_of(marker, 0, Resolution{-20}));
+  EXPECT_FALSE(arrangement_of(test::unlabelled(marker), 0, Resolution{-20}));
 }
 
 TEST(Arrangement, ConcatenatedLiesOneBehindTheOther) {
   const Marker marker = test::garment("jeans_02g");
-  const auto own = arrangement_of(marker, 0, marker.resolution);
+  const auto own = arrangement_of(test::unlabelled(marker), 0, marker.resolution);
   const auto both = concatenated(*own, *own);
   ASSERT_TRUE(both);
   EXPECT_EQ(both->length, 2 * own->length);
@@ -50,7 +50,8 @@ TEST(Arrangement, ConcatenatedLiesOneBehindTheOther) {
 TEST(Candidates, AreTheMarkersAsLargeAsTheOrder) {
   const Marker jeans = test::garment("jeans_02g");
   const std::vector<Marker> stored{test::garment("jeans_22g"), jeans, test::garment("jeans_06g")};
-  const auto found = candidates_for(test::order_of(jeans), stored, true, {}, serial());
+  const auto found =
+      candidates_for(test::unlabelled(test::order_of(jeans)), test::unlabelled(stored), true, {}, serial());
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].arrangement.stored, (std::vector<std::size_t>{1}));
   EXPECT_EQ(found[0].difference, 0);
@@ -67,11 +68,11 @@ TEST(Candidates, IncludeConcatenationsForLongOrders) {
     order.unplaced.push_back(piece);
   }
   const std::vector<Marker> stored{jeans};
-  const auto found = candidates_for(order, stored, true, {}, serial());
+  const auto found = candidates_for(test::unlabelled(order), test::unlabelled(stored), true, {}, serial());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].arrangement.stored, (std::vector<std::size_t>{0, 0}));
   EXPECT_EQ(found[0].difference, 0);
-  EXPECT_TRUE(candidates_for(order, stored, false, {}, serial()).empty());
+  EXPECT_TRUE(candidates_for(test::unlabelled(order), test::unlabelled(stored), false, {}, serial()).empty());
 }
 
 }  // namespace
