@@ -7,11 +7,13 @@
 
 #include "protocol/document/frame.h"
 #include "protocol/json/json_text.h"
+#include "protocol/trade/aama/blocks/block_roles.h"
+#include "protocol/trade/aama/blocks/pattern_block.h"
 #include "protocol/trade/aama/finishing.h"
 #include "protocol/trade/aama/grading.h"
 #include "protocol/trade/aama/inserts.h"
-#include "protocol/trade/aama/pattern_block.h"
 #include "protocol/trade/aama/piece_texts.h"
+#include "protocol/trade/aama/unfolding.h"
 #include "protocol/trade/dxf/text_lines.h"
 #include "protocol/trade/dxf/units.h"
 #include "protocol/trade/rules/rule_table.h"
@@ -32,10 +34,10 @@ class StyleReader {
     if (blocks_.empty()) return no_pattern();
     if (!unit) return unit.error();
     for (PatternBlock& block : blocks_) scale(block, *unit);
-    if (enlarge_shallow_notches(blocks_)) {
+    if (blocks::enlarge_shallow_notches(blocks_)) {
       style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
     }
-    follow_inserts(drawing_, encoding_, blocks_, style_.notes);
+    follow_inserts(inserts_, encoding_, blocks_, style_.notes);
     share_texts();
     if (const auto error = make_pieces(*unit)) return *error;
     note_what_was_skipped();
@@ -89,16 +91,26 @@ class StyleReader {
   void read_texts(const dxf::Entity& entity, Wanted wanted) {
     if (entity.type != "TEXT" && entity.type != "MTEXT") return;
     for (const std::string& text : dxf::text_lines(entity, encoding_)) {
-      auto pair = key_and_value(text);
+      auto pair = blocks::key_and_value(text);
       if (pair && wanted(pair->first)) texts_.emplace(std::move(*pair));
     }
   }
 
   std::optional<Error> read_blocks(double unit) {
-    BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}};
-    for (const dxf::Block& block : drawing_.blocks) {
+    dxf::strokes::Blocks inserted{drawing_};
+    blocks::BlockRoles roles = blocks::roles_of(drawing_, inserted);
+    if (inserted.error()) return inserted.error();
+    inserts_ = std::move(roles.inserts);
+    blocks::BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}, {}, {}, &inserted};
+    for (std::size_t k = 0; k < drawing_.blocks.size(); ++k) {
+      const dxf::Block& block = drawing_.blocks[k];
       if (block.name.starts_with('*') && !in_capitals(block.name).starts_with("*U")) continue;  // spaces, dimensions
-      PatternBlock read = read_pattern_block(block, reading);
+      if (roles.of[k] != blocks::BlockRole::kPiece) {
+        note_role(block, roles.of[k]);
+        continue;
+      }
+      PatternBlock read = blocks::read_pattern_block(block, reading);
+      if (inserted.error()) return inserted.error();
       if (read.boundary.empty()) {
         style_.notes.push_back(note_at(block.line, "block " + in_quotes(read.name) + " has no boundary; left out"));
         continue;
@@ -108,6 +120,13 @@ class StyleReader {
     style_.notes.insert(style_.notes.end(), reading.notes.begin(), reading.notes.end());
     passed_over_ = std::move(reading.passed_over);
     return reading.flattening.error();
+  }
+
+  void note_role(const dxf::Block& block, blocks::BlockRole role) {
+    const std::string name = "block " + in_quotes(decoded(block.name, encoding_));
+    style_.notes.push_back(note_at(block.line, role == blocks::BlockRole::kPart
+                                                   ? name + " is inserted in other blocks and read as a part of them"
+                                                   : name + " only collects the pieces that it inserts"));
   }
 
   [[nodiscard]] Error no_pattern() const {
@@ -168,6 +187,7 @@ class StyleReader {
       if (!read) return json::within("/rules", read.error());
       table = *std::move(read);
       style_.sizes = table->sizes;
+      for (const Note& note : table->notes) style_.notes.push_back({"/rules" + note.field, note.text});
     } else {
       for (const std::string& size : sizes_) {
         if (std::find(style_.sizes.begin(), style_.sizes.end(), size) == style_.sizes.end())
@@ -274,6 +294,7 @@ class StyleReader {
   Encoding encoding_{};
   std::map<std::string, std::size_t> passed_over_;  // a layer that is not read -> the first line of it
   std::vector<PatternBlock> blocks_;
+  std::vector<blocks::PieceInsert> inserts_;
   std::vector<std::string> names_, sizes_;  // of the blocks
   Style style_;
 };
