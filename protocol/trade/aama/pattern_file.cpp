@@ -7,8 +7,7 @@
 
 #include "protocol/document/frame.h"
 #include "protocol/json/json_text.h"
-#include "protocol/trade/aama/blocks/block_roles.h"
-#include "protocol/trade/aama/blocks/pattern_block.h"
+#include "protocol/trade/aama/blocks/pattern_blocks.h"
 #include "protocol/trade/aama/finishing.h"
 #include "protocol/trade/aama/grading.h"
 #include "protocol/trade/aama/inserts.h"
@@ -37,7 +36,7 @@ class StyleReader {
     if (blocks::enlarge_shallow_notches(blocks_)) {
       style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
     }
-    follow_inserts(inserts_, encoding_, blocks_, style_.notes);
+    if (!loose_) follow_inserts(inserts_, encoding_, blocks_, style_.notes);
     share_texts();
     if (const auto error = make_pieces(*unit)) return *error;
     note_what_was_skipped();
@@ -97,50 +96,31 @@ class StyleReader {
   }
 
   std::optional<Error> read_blocks(double unit) {
-    dxf::strokes::Blocks inserted{drawing_};
-    blocks::BlockRoles roles = blocks::roles_of(drawing_, inserted);
-    if (inserted.error()) return inserted.error();
-    inserts_ = std::move(roles.inserts);
-    blocks::BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}, {}, {}, &inserted};
-    for (std::size_t k = 0; k < drawing_.blocks.size(); ++k) {
-      const dxf::Block& block = drawing_.blocks[k];
-      if (block.name.starts_with('*') && !in_capitals(block.name).starts_with("*U")) continue;  // spaces, dimensions
-      if (roles.of[k] != blocks::BlockRole::kPiece) {
-        note_role(block, roles.of[k]);
-        continue;
-      }
-      PatternBlock read = blocks::read_pattern_block(block, reading);
-      if (inserted.error()) return inserted.error();
-      if (read.boundary.empty()) {
-        style_.notes.push_back(note_at(block.line, "block " + in_quotes(read.name) + " has no boundary; left out"));
-        continue;
-      }
-      blocks_.push_back(std::move(read));
-    }
+    blocks::BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}};
+    auto read = blocks::read_pattern_blocks(drawing_, 1 / unit, reading);
+    if (!read) return read.error();
+    blocks_ = std::move(read->pieces);
+    inserts_ = std::move(read->inserts);
+    loose_ = read->loose;
     style_.notes.insert(style_.notes.end(), reading.notes.begin(), reading.notes.end());
     passed_over_ = std::move(reading.passed_over);
-    return reading.flattening.error();
-  }
-
-  void note_role(const dxf::Block& block, blocks::BlockRole role) {
-    const std::string name = "block " + in_quotes(decoded(block.name, encoding_));
-    style_.notes.push_back(note_at(block.line, role == blocks::BlockRole::kPart
-                                                   ? name + " is inserted in other blocks and read as a part of them"
-                                                   : name + " only collects the pieces that it inserts"));
+    return std::nullopt;
   }
 
   [[nodiscard]] Error no_pattern() const {
     return {ErrorCode::kUnknownFormat,
             "no pattern file: of " + std::to_string(drawing_.blocks.size()) +
-                " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires.  Ask for plain DXF to read every "
-                "closed outline as a piece",
+                " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires, and no line on layer 1 lies "
+                "outside of "
+                "blocks.  Ask for plain DXF to read every closed outline as a piece",
             ""};
   }
 
   [[nodiscard]] std::string name_of_piece(const PatternBlock& block) {
     if (const std::string* name = block.text("PIECE NAME")) return *name;
     style_.notes.push_back(
-        note_at(block.line, "block " + in_quotes(block.name) + " has no Piece Name; the block's is taken"));
+        note_at(block.line, (loose_ ? "" : "block ") + in_quotes(block.name) +
+                                (loose_ ? " has no Piece Name" : " has no Piece Name; the block's is taken")));
     return block.name;
   }
 
@@ -295,6 +275,7 @@ class StyleReader {
   std::map<std::string, std::size_t> passed_over_;  // a layer that is not read -> the first line of it
   std::vector<PatternBlock> blocks_;
   std::vector<blocks::PieceInsert> inserts_;
+  bool loose_{};                            // there are no blocks: the pieces are drawn in ENTITIES
   std::vector<std::string> names_, sizes_;  // of the blocks
   Style style_;
 };

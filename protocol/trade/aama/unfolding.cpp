@@ -12,6 +12,7 @@ namespace selvage::protocol::trade::aama {
 namespace {
 
 constexpr double kOnMirrorLine = 0.1;  // a vertex so near lies on it
+constexpr double kMostBeyond = 1;      // beyond it, so far, an outline is drawn inaccurately
 constexpr double kLeastOpening = 1;    // square millimetres; smaller ones come from rounding
 
 using Line = std::pair<Spot, Spot>;
@@ -31,11 +32,12 @@ struct Chain {
   std::size_t first{}, edges{};
 };
 
-// In the order of the outline; none if all of its vertices lie on the line.
-std::vector<Chain> chains_on(const std::vector<Spot>& outline, const Line& line) {
+// In the order of the outline; none if all of its vertices satisfy the condition to lie on the line.
+template <class IsOn>
+std::vector<Chain> chains_of(const std::vector<Spot>& outline, IsOn is_on_line) {
   const std::size_t count = outline.size();
   std::vector<bool> on;
-  for (const Spot& point : outline) on.push_back(is_on(point, line));
+  for (const Spot& point : outline) on.push_back(is_on_line(point));
   std::vector<Chain> chains;
   for (std::size_t k = 0; k < count; ++k) {
     if (!on[k] || on[(k + count - 1) % count]) continue;  // only where a chain begins
@@ -44,6 +46,10 @@ std::vector<Chain> chains_on(const std::vector<Spot>& outline, const Line& line)
     chains.push_back(chain);
   }
   return chains;
+}
+
+std::vector<Chain> chains_on(const std::vector<Spot>& outline, const Line& line) {
+  return chains_of(outline, [&](const Spot& point) { return is_on(point, line); });
 }
 
 // The chain with the most distant ends; none if there are only single vertices.
@@ -100,15 +106,19 @@ void unfold_annotations(PatternBlock& block, const document::Frame& mirror, cons
   block.mirrored.resize(own.lines.size(), true);
 }
 
-// How far the outline reaches beyond the line, that is, to the side where less of it lies.
-double reach_beyond(const std::vector<Spot>& outline, const Line& line) {
-  double left = 0, right = 0;
+// How far the outline reaches to each side of the line.
+struct Reach {
+  double left{}, right{};
+  [[nodiscard]] double beyond() const { return std::min(left, right); }
+};
+Reach reach_of(const std::vector<Spot>& outline, const Line& line) {
+  Reach reach;
   for (const Spot& point : outline) {
     const double side = side_of_line(point, line);
-    left = std::max(left, side);
-    right = std::max(right, -side);
+    reach.left = std::max(reach.left, side);
+    reach.right = std::max(reach.right, -side);
   }
-  return std::min(left, right);
+  return reach;
 }
 
 void note_other_lines(const PatternBlock& block, const Line& line, std::vector<Note>& notes) {
@@ -117,25 +127,34 @@ void note_other_lines(const PatternBlock& block, const Line& line, std::vector<N
   notes.push_back(note_at(block.line, std::to_string(block.mirror_lines.size()) + " mirror lines; the first counts"));
 }
 
+void leave_folded(PatternBlock& block, double beyond, std::vector<Note>& notes) {
+  notes.push_back(note_at(block.line, "the piece reaches " + json::number_text(std::round(beyond * 100) / 100) +
+                                          " mm beyond its mirror line, where its reflection would overlap it: not "
+                                          "unfolded, it lies as drawn"));
+  for (const Line& drawn : block.mirror_lines) {
+    block.annotations.lines.push_back({document::LineKind::kMirror, false, {drawn.first, drawn.second}});
+    block.mirrored.push_back(true);
+  }
+}
+
 }  // namespace
 
 void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& notes) {
   if (block.mirror_lines.empty() || outline.size() < 3) return;
   const Line line = block.mirror_lines.front();
-  std::vector<Chain> chains = chains_on(outline, line);
-  const auto longest = longest_of(chains, outline);
-  if (!longest) {
+  if (!longest_of(chains_on(outline, line), outline)) {
     notes.push_back(note_at(block.line, "no edge of the boundary lies on the mirror line: taken for a whole piece"));
     return;
   }
-  if (const double beyond = reach_beyond(outline, line); beyond > kOnMirrorLine) {
-    notes.push_back(note_at(block.line, "the half piece reaches " + json::number_text(std::round(beyond * 100) / 100) +
-                                            " mm beyond its mirror line; unfolded about its longest edge on it alone"));
-    chains = {*longest};
-  }
+  const Reach reach = reach_of(outline, line);
+  if (reach.beyond() > kMostBeyond) return leave_folded(block, reach.beyond(), notes);
+  const double side = reach.left > reach.right ? 1 : -1;
+  const auto chains =
+      chains_of(outline, [&](const Spot& point) { return side * side_of_line(point, line) <= kOnMirrorLine; });
   // A half piece on one side of the line goes along it, leaves it and comes back.  The way that spans the others is
   // the outline of the whole piece; any other one encloses an opening in it.
   std::vector<std::vector<Spot>> ways = between(chains, outline);
+  if (ways.empty()) return;
   const auto outer = std::max_element(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
     return distance(a.front(), a.back()) < distance(b.front(), b.back());
   });

@@ -10,7 +10,8 @@
 namespace selvage::protocol::trade::aama {
 
 // The whole piece, when the outline has edges on a mirror line: outline and annotations reflected about it.  Where the
-// outline leaves the line between two such edges, the whole piece has an opening, which becomes a cut-out.
+// outline leaves the line between two such edges, the whole piece has an opening, which becomes a cut-out.  A piece
+// that reaches more than a millimetre beyond the line is not unfolded, with a note.
 void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& notes);
 
 // Whether the outline is half a piece that can be laid on the fold of the cloth, which runs along the grain: one with
