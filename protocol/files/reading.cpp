@@ -10,7 +10,7 @@
 #include "protocol/trade/dxf/tags.h"
 #include "protocol/trade/esicup/esicup.h"
 #include "protocol/trade/hpgl/hpgl_marker.h"
-#include "protocol/trade/hpgl/pen_strokes.h"
+#include "protocol/trade/hpgl/instructions.h"
 #include "protocol/trade/orders/bundles.h"
 #include "protocol/trade/style_marker.h"
 #include "protocol/trade/svg/svg_pattern.h"
