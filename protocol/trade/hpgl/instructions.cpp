@@ -70,6 +70,7 @@ void Instructions::read_parameters(Instruction& read) {
   } else if (read.name == "DT") {
     const bool given = at_ < text_.size() && text_[at_] != ';';
     end_of_label_ = given ? text_[at_++] : kEndOfText;
+    labels_end_ = true;
   } else if (read.name == "CO" && at_ < text_.size() && text_[at_] == '"') {
     ++at_;
     read_up_to('"', read);
@@ -83,8 +84,10 @@ void Instructions::read_parameters(Instruction& read) {
 // A label whose end is missing must not swallow the rest of the plot: it ends with its line or at a semicolon.
 void Instructions::read_label(Instruction& read) {
   const std::size_t from = at_;
-  read_up_to(end_of_label_, read);
-  if (read.ended) return;
+  if (labels_end_) read_up_to(end_of_label_, read);
+  labels_end_ = labels_end_ && read.ended;  // not searched for again: a plot may have many thousand labels
+  if (labels_end_) return;
+  read.ended = false;
   at_ = std::min(text_.find_first_of(";\r\n", from), text_.size());
   read.text = text_.substr(from, at_ - from);
 }

@@ -37,6 +37,7 @@ class Instructions {
   std::string_view text_;
   std::size_t at_{}, counted_{}, line_{1};  // lines are counted up to `counted_`
   char end_of_label_{kEndOfText};
+  bool labels_end_{true};  // false: no end of a label follows in the rest of the file
 };
 
 // Whether the text begins like a plot: with an instruction that sets one up, after escape sequences for the plotter.

@@ -34,7 +34,7 @@ class OrderReader {
     if (const Json* quantities = fields.maybe_object("quantities")) read_quantities(*quantities, sums);
     if (const Json* shrinkage = fields.maybe_object("shrinkage")) read_shrinkage(*shrinkage);
     fields.finish();
-    if (order_.ratio.empty() && sums.empty()) {
+    if (order_.ratio.empty() && sums.all().empty()) {
       mistake_.add(ErrorCode::kMissingField, "neither a ratio nor quantities: what is to be cut?", "/ratio");
     }
     if (mistake_) return mistake_.error();
@@ -63,7 +63,7 @@ class OrderReader {
         field += '/';
         field += size;
         order_.quantities.push_back({colour, size, whole(garments, kMostGarments, field)});
-        add_to(sums, size, order_.quantities.back().garments);
+        sums.add(size, order_.quantities.back().garments);
       }
     }
   }

@@ -33,7 +33,7 @@ class TableReader {
   Result<Order> read() {
     if (auto error = read_cells()) return *error;
     if (auto error = read_quantities()) return *error;
-    if (std::all_of(sums_.begin(), sums_.end(), [](const auto& sum) { return sum.second == 0; })) {
+    if (sums_.none()) {
       return Error{ErrorCode::kMissingField, "the order has no garments", ""};
     }
     settle_ratio(order_, sums_);
@@ -172,7 +172,7 @@ class TableReader {
            quoted(cell) + " is read as " + std::to_string(garments->count) + ": its mark is that of thousands");
     }
     if (!cell.empty()) order_.quantities.push_back({colour, size, garments->count});
-    if (!size.empty()) add_to(sums_, size, garments->count);
+    if (!size.empty()) sums_.add(size, garments->count);
     return std::nullopt;
   }
 

@@ -6,20 +6,22 @@
 
 namespace selvage::protocol::trade::orders {
 
-void add_to(Sums& sums, const std::string& size, int garments) {
-  const auto known = std::find_if(sums.begin(), sums.end(), [&](const auto& sum) { return sum.first == size; });
-  if (known == sums.end())
-    sums.emplace_back(size, garments);
-  else
-    known->second += garments;
+void Sums::add(const std::string& size, int garments) {
+  const auto [known, fresh] = position_.emplace(size, sums_.size());
+  if (fresh) sums_.emplace_back(size, 0);
+  sums_[known->second].second += garments;
+}
+
+bool Sums::none() const {
+  return std::all_of(sums_.begin(), sums_.end(), [](const auto& sum) { return sum.second == 0; });
 }
 
 void settle_ratio(Order& order, const Sums& sums) {
   if (!order.ratio.empty()) return;
   std::int64_t divisor = 0;
-  for (const auto& [size, garments] : sums) divisor = std::gcd(divisor, garments);
+  for (const auto& [size, garments] : sums.all()) divisor = std::gcd(divisor, garments);
   std::string shown;
-  for (const auto& [size, garments] : sums) {
+  for (const auto& [size, garments] : sums.all()) {
     if (garments == 0) continue;
     const std::int64_t bundles = std::min<std::int64_t>(garments / divisor, std::numeric_limits<int>::max());
     order.ratio.emplace_back(size, static_cast<int>(bundles));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,12 +11,20 @@
 
 namespace selvage::protocol::trade::orders {
 
-using Sums = std::vector<std::pair<std::string, std::int64_t>>;  // garments of each size, over all colours
+// The garments of each size, over all colours, in the order in which the sizes are first named.
+class Sums {
+ public:
+  void add(const std::string& size, int garments);
+  [[nodiscard]] const std::vector<std::pair<std::string, std::int64_t>>& all() const { return sums_; }
+  [[nodiscard]] bool none() const;  // whether no garment was added
 
-void add_to(Sums& sums, const std::string& size, int garments);
+ private:
+  std::vector<std::pair<std::string, std::int64_t>> sums_;
+  std::map<std::string, std::size_t> position_;  // of each size in sums_
+};
 
 // Gives the order the sums divided by their greatest common divisor as its ratio, with a note, unless it has a ratio.
-// REQUIRES: sums that are not all 0, or a ratio.
+// Without garments the ratio stays empty.
 void settle_ratio(Order& order, const Sums& sums);
 
 }  // namespace selvage::protocol::trade::orders

@@ -188,6 +188,14 @@ TEST(Boundary, ASplineOfFitPointsAloneIsTheCubicOneThroughThem) {
   EXPECT_FALSE(has_note(file, "is not read"));
 }
 
+TEST(Boundary, AFitPointThatIsNoNumberIsRefusedWithItsLine) {
+  const std::string spline = tag(0, "SPLINE") + tag(8, "1") + spot(0, 0, 11) + tag(11, "nan") + tag(21, "1");
+  const auto file = read_file(file_of(named("A", spline)));
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().code, ErrorCode::kSyntax);
+  EXPECT_TRUE(file.error().field.starts_with("/line/")) << file.error().field;
+}
+
 // Ends as the tangents say, and natural ones: from (0, 0) over (100, 50) to (200, 0), closed by a line below.
 TEST(Boundary, TheEndTangentsOfASplineOfFitPointsCount) {
   const std::string points = spot(0, 0, 11) + spot(100, 50, 11) + spot(200, 0, 11);

@@ -155,5 +155,15 @@ TEST(NestedBlocks, AScaleOfScalesBeyondAllBoundsIsRefused) {
   EXPECT_NE(read.error().message.find("at most 1e12 is allowed"), std::string::npos) << read.error().message;
 }
 
+TEST(NestedBlocks, AScaleOrAnAngleThatIsNoNumberIsRefusedWithItsLine) {
+  for (const int code : {41, 42, 50}) {
+    const auto read = read_file(blocks_in_file(block_of("A", named("A")), placed("A", spot(0, 0) + tag(code, "nan"))));
+    ASSERT_FALSE(read) << code;
+    EXPECT_EQ(read.error().code, ErrorCode::kSyntax);
+    EXPECT_NE(read.error().message.find("\"nan\" where a number is required"), std::string::npos)
+        << read.error().message;
+  }
+}
+
 }  // namespace
 }  // namespace selvage
