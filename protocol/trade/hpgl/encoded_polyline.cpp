@@ -28,7 +28,7 @@ class Decoder {
         set_fraction(number());
       } else if (*code == '=') {
         absolute = true;
-      } else if (*code >= kFirstDigit) {
+      } else if (is_digit(*code)) {
         --at_;
         const auto x = number(), y = number();
         damage_unless(x && y);
@@ -53,20 +53,29 @@ class Decoder {
     return std::nullopt;
   }
 
+  // The lowest code of a digit that ends its number; the codes of the other digits begin at kFirstDigit.
+  [[nodiscard]] unsigned first_last_digit() const { return seven_bits_ ? 95 : 191; }
+  [[nodiscard]] bool is_digit(unsigned code) const {
+    const unsigned base = seven_bits_ ? 32 : 64;
+    return (code >= kFirstDigit && code < kFirstDigit + base) ||
+           (code >= first_last_digit() && code < first_last_digit() + base);
+  }
+
   // Digits from the least, of base 64, or of base 32 with seven bits; the last one is marked.  Its lowest bit is the
   // sign.
   std::optional<std::int64_t> number() {
     constexpr unsigned kMostBits = 48;
-    const unsigned base_bits = seven_bits_ ? 5 : 6, first_last = seven_bits_ ? 95 : 191, base = 1U << base_bits;
+    const unsigned base_bits = seven_bits_ ? 5 : 6;
     std::int64_t value = 0;
     for (unsigned shift = 0; shift <= kMostBits; shift += base_bits) {
       const auto code = next();
       if (!code) return std::nullopt;
-      const bool last = *code >= first_last && *code < first_last + base;
-      if (!last && (*code < kFirstDigit || *code >= kFirstDigit + base)) {
+      if (!is_digit(*code)) {
         --at_;  // a flag: the number was cut off
         return std::nullopt;
       }
+      const unsigned first_last = first_last_digit();
+      const bool last = *code >= first_last;
       value += static_cast<std::int64_t>(*code - (last ? first_last : kFirstDigit)) << shift;
       if (last) return value % 2 == 1 ? -(value / 2) : value / 2;
     }

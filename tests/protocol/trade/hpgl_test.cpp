@@ -120,6 +120,8 @@ TEST(HpglIn, DamagedEncodedPolylinesAreNotedWithTheirLine) {
   const std::string outline = "PU0,0;PD8000,0,8000,8000,0,8000,0,0;PU;";
   const MarkerFile file = plot("IN;" + outline + "\nPE" + encoded(4) + "(" + encoded(4) + ";");
   EXPECT_TRUE(test::has_note(file, "/line/2: PE: characters that encode no coordinate are skipped"));
+  // The codes from 161 to 190 are no digits, neither first nor last ones.
+  for (int code = 1; code < 256; ++code) plot("IN;" + outline + "PE" + static_cast<char>(code) + encoded(4) + ";PU;");
   const MarkerFile cut_off = plot("IN;" + outline + "\nPE" + encoded_square(100) + "????????????????????");
   EXPECT_TRUE(test::has_note(cut_off, "/line/2: PE has no semicolon at its end"));
 }
