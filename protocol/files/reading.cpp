@@ -6,15 +6,16 @@
 #include "protocol/trade/aama/pattern_file.h"
 #include "protocol/trade/cut/cut_marker.h"
 #include "protocol/trade/cut/cut_words.h"
-#include "protocol/trade/dxf/plain.h"
+#include "protocol/trade/dxf/strokes/plain.h"
 #include "protocol/trade/dxf/tags.h"
 #include "protocol/trade/esicup/esicup.h"
 #include "protocol/trade/hpgl/hpgl_marker.h"
-#include "protocol/trade/hpgl/pen_strokes.h"
+#include "protocol/trade/hpgl/instructions.h"
 #include "protocol/trade/orders/bundles.h"
 #include "protocol/trade/style_marker.h"
 #include "protocol/trade/svg/svg_pattern.h"
 #include "protocol/trade/text.h"
+#include "protocol/trade/unicode/utf8_text.h"
 
 namespace selvage::protocol::files {
 namespace {
@@ -49,7 +50,7 @@ Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
 }
 
 Result<MarkerFile> read_dxf(std::string_view text, const ReadingOptions& options) {
-  if (options.plain) return one_garment(text, options, trade::dxf::read_plain);
+  if (options.plain) return one_garment(text, options, trade::dxf::strokes::read_plain);
   if (trade::aama::is_nest(text)) return trade::aama::read_nest(text);
   if (options.order) return ordered(text, options);
   return one_garment(text, options, trade::aama::read_pattern);
@@ -68,10 +69,9 @@ std::optional<FileKind> kind_of(std::string_view text) {
   return std::nullopt;
 }
 
-Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& options) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  if (text.size() > json::kMaxFileBytes) return formats::read_marker(text);  // its error names the limit
+namespace {
+
+Result<MarkerFile> read_utf8(std::string_view text, const ReadingOptions& options) {
   const auto kind = kind_of(text);
   if (!kind) {
     auto file = formats::read_marker(text);
@@ -89,6 +89,19 @@ Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& option
     case FileKind::kJson: break;
   }
   return formats::read_marker(text);
+}
+
+}  // namespace
+
+Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& options) {
+  if (text.size() > json::kMaxFileBytes) return formats::read_marker(text);  // its error names the limit
+  const auto utf8 = trade::unicode::Utf8Text::of(text);
+  if (!utf8) return utf8.error();
+  auto file = read_utf8(utf8->text(), options);
+  if (file && !utf8->encoding().empty()) {
+    file->notes.insert(file->notes.begin(), {"", "the file is read as " + std::string{utf8->encoding()}});
+  }
+  return file;
 }
 
 }  // namespace selvage::protocol::files

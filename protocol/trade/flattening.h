@@ -21,6 +21,23 @@ class Flattening {
 
   [[nodiscard]] double tolerance() const { return tolerance_; }
 
+  // While it exists, curves are flattened that are then enlarged by the scale, so that the tolerance is that of the
+  // enlarged curve.  A scale that is not greater than 0 changes nothing.
+  class Enlarged {
+   public:
+    Enlarged(Flattening& flattening, double scale) : flattening_{flattening}, before_{flattening.tolerance_} {
+      constexpr double kLeast = 1e-6, kMost = 1e6;
+      if (scale > 0) flattening.tolerance_ /= std::clamp(scale, kLeast, kMost);
+    }
+    ~Enlarged() { flattening_.tolerance_ = before_; }
+    Enlarged(const Enlarged&) = delete;
+    Enlarged& operator=(const Enlarged&) = delete;
+
+   private:
+    Flattening& flattening_;
+    double before_;
+  };
+
   // Takes chords from those that are left.  When there are too few, no later curve gets any, either.
   [[nodiscard]] bool take(std::size_t chords) {
     exhausted_ = exhausted_ || chords > left_;

@@ -9,9 +9,8 @@
 namespace selvage::protocol::trade::aama {
 namespace {
 
-constexpr double kReach = 0.01;        // ends of runs that meet
-constexpr double kWidestGap = 1;       // of a boundary that is closed nevertheless
-constexpr double kOnMirrorLine = 0.1;  // a vertex so near lies on it
+constexpr double kReach = 0.01;   // ends of runs that meet
+constexpr double kWidestGap = 1;  // of a boundary that is closed nevertheless
 
 std::string shown(double millimetres) {
   return json::number_text(std::round(millimetres * 1000) / 1000) + " mm";
@@ -19,33 +18,6 @@ std::string shown(double millimetres) {
 
 void scale_spot(Spot& spot, double factor) {
   spot = {spot.x * factor, spot.y * factor};
-}
-
-double distance_to_line(Spot point, const std::pair<Spot, Spot>& line) {
-  const auto [a, b] = line;
-  return std::abs((b.x - a.x) * (point.y - a.y) - (b.y - a.y) * (point.x - a.x)) / distance(a, b);
-}
-
-// The chain of edges on the line, as the index of its first vertex and the number of its edges: the longest such chain.
-struct Chain {
-  std::size_t first{}, edges{};
-};
-Chain chain_on(const std::vector<Spot>& outline, const std::pair<Spot, Spot>& line) {
-  const std::size_t count = outline.size();
-  std::vector<bool> on;
-  for (const Spot& point : outline) on.push_back(distance_to_line(point, line) <= kOnMirrorLine);
-  Chain best;
-  double longest = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!on[k] || on[(k + count - 1) % count]) continue;  // only where a chain begins
-    std::size_t edges = 0;
-    while (edges + 1 < count && on[(k + edges + 1) % count]) ++edges;
-    const double length = distance(outline[k], outline[(k + edges) % count]);
-    if (edges == 0 || length <= longest) continue;
-    longest = length;
-    best = {k, edges};
-  }
-  return best;
 }
 
 // Joins the open runs over gaps of up to kWidestGap, the narrowest first.  The edge across a gap becomes a run of its
@@ -107,28 +79,6 @@ void note_vertices(const Loop& loop, std::size_t count, const std::string& which
   notes.push_back(note_at(loop.line, vertices + (behind ? noun + " " + which : which + " " + noun) + " left out"));
 }
 
-// The annotations of both halves.
-void unfold_annotations(PatternBlock& block, const document::Frame& mirror, const std::pair<Spot, Spot>& line) {
-  document::Annotations& own = block.annotations;
-  const document::Annotations other = placed(own, mirror);
-  const auto on_line = [&](Spot spot) { return distance_to_line(spot, line) <= kOnMirrorLine; };
-  const auto single = [&](Spot spot) {
-    return on_line(spot) || std::find(block.unmirrored_spots.begin(), block.unmirrored_spots.end(), spot) !=
-                                block.unmirrored_spots.end();
-  };
-  for (std::size_t k = 0, count = own.notches.size(); k < count; ++k) {
-    if (!single(own.notches[k].at)) own.notches.push_back(other.notches[k]);
-  }
-  for (std::size_t k = 0, count = own.drills.size(); k < count; ++k) {
-    if (!single(own.drills[k])) own.drills.push_back(other.drills[k]);
-  }
-  for (std::size_t k = 0, count = own.lines.size(); k < count; ++k) {
-    const auto& points = own.lines[k].points;
-    if (block.mirrored[k] && !std::all_of(points.begin(), points.end(), on_line)) own.lines.push_back(other.lines[k]);
-  }
-  block.mirrored.resize(own.lines.size(), true);
-}
-
 }  // namespace
 
 void scale(PatternBlock& block, double factor) {
@@ -153,7 +103,7 @@ void scale(PatternBlock& block, double factor) {
     text.height *= factor;
   }
   for (Spot& spot : block.unmirrored_spots) scale_spot(spot, factor);
-  for (GradedPoint& point : block.graded_points) scale_spot(point.at, factor);
+  for (blocks::GradedPoint& point : block.graded_points) scale_spot(point.at, factor);
   for (auto* lines : {&block.grains, &block.mirror_lines, &block.grade_references}) {
     for (auto& [from, to] : *lines) {
       scale_spot(from, factor);
@@ -197,63 +147,11 @@ Result<std::vector<Spot>> boundary_of(const PatternBlock& block, std::vector<Not
   return outline;
 }
 
-void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& notes) {
-  if (block.mirror_lines.empty() || outline.size() < 3) return;
-  const std::pair<Spot, Spot> line = block.mirror_lines.front();
-  const Chain chain = chain_on(outline, line);
-  if (chain.edges == 0) {
-    notes.push_back(note_at(block.line, "no edge of the boundary lies on the mirror line: taken for a whole piece"));
-    return;
-  }
-  const document::Frame mirror = document::reflection(line.first, line.second);
-  // Runs from the end of the chain around to its beginning, and returns along the reflection of that.
-  const std::size_t count = outline.size(), half = count - chain.edges + 1;
-  std::vector<Spot> whole;
-  for (std::size_t k = 0; k < half; ++k) whole.push_back(outline[(chain.first + chain.edges + k) % count]);
-  for (std::size_t k = half - 1; k-- > 1;) whole.push_back(mirror.apply(whole[k]));
-  outline = std::move(whole);
-  unfold_annotations(block, mirror, line);
-  notes.push_back(note_at(block.line, "a half piece, unfolded about its mirror line"));
-  if (block.mirror_lines.size() > 1) {
-    notes.push_back(note_at(block.line, std::to_string(block.mirror_lines.size()) + " mirror lines; the first counts"));
-  }
-}
-
-bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline, std::vector<Note>& notes) {
-  if (block.mirror_lines.empty() || outline.size() < 3) return false;
-  const std::pair<Spot, Spot> line = block.mirror_lines.front();
-  if (chain_on(outline, line).edges == 0) return false;
-  std::vector<Note> ignored;
-  const document::Frame turn{false, turn_of_grain(block, ignored), {}};
-  const Spot from = turn.apply(line.first), to = turn.apply(line.second);
-  const bool along = std::abs(to.y - from.y) <= kOnMirrorLine;
-  if (!along) notes.push_back(note_at(block.line, "the mirror line does not run along the grain: unfolded"));
-  const auto above = [&](const Spot& point) { return turn.apply(point).y >= std::min(from.y, to.y) - kOnMirrorLine; };
-  const auto below = [&](const Spot& point) { return turn.apply(point).y <= std::max(from.y, to.y) + kOnMirrorLine; };
-  return along &&
-         (std::all_of(outline.begin(), outline.end(), above) || std::all_of(outline.begin(), outline.end(), below));
-}
-
 void mirror_piece(PatternPiece& piece) {
   const document::Frame over{true, 0, {}};
   for (Spot& point : piece.outline) point = over.apply(point);
   std::reverse(piece.outline.begin() + 1, piece.outline.end());
   piece.annotations = placed(piece.annotations, over);
-}
-
-void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece) {
-  double fold = turn.apply(block.mirror_lines.front().first).y, middle = 0;
-  for (const Spot& point : piece.outline) middle += point.y / static_cast<double>(piece.outline.size());
-  if (middle < fold) {
-    mirror_piece(piece);
-    fold = -fold;
-  }
-  double low = fold;
-  for (const Spot& point : piece.outline) low = std::min(low, point.y);
-  for (Spot& point : piece.outline) {
-    if (point.y - low <= 2 * kOnMirrorLine) point.y = low;
-  }
-  piece.half = true;
 }
 
 double turn_of_grain(const PatternBlock& block, std::vector<Note>& notes) {

@@ -1,4 +1,4 @@
-// Converts a block as it was drawn to a piece as it is cut: boundary, unfolding, grain.  Units:
+// Converts a block as it was drawn to a piece as it is cut: boundary, scale, grain.  Units:
 // millimetres.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "protocol/document/frame.h"
-#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/blocks/pattern_block.h"
 #include "protocol/trade/options.h"
 
 namespace selvage::protocol::trade::aama {
@@ -18,18 +18,8 @@ void scale(PatternBlock& block, double factor);
 // largest is open, its ends more than a millimetre apart.
 [[nodiscard]] Result<std::vector<Spot>> boundary_of(const PatternBlock& block, std::vector<Note>& notes);
 
-// The whole piece, when the outline has edges on a mirror line: outline and annotations reflected about it.
-void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& notes);
-
-// Whether the outline is half a piece that can be laid on the fold of the cloth, which runs along the grain: one with
-// edges on a mirror line along the grain, beyond which nothing lies.  A mirror line across the grain is noted.
-[[nodiscard]] bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline,
-                                   std::vector<Note>& notes);
 // The piece's mirror image about its grain.
 void mirror_piece(PatternPiece& piece);
-// Flips the half piece if its mirror line is its upper side, so that it becomes the lower side, exactly straight.
-// `turn`: from the block to the piece.  REQUIRES: may_lie_on_fold of the block.
-void lay_on_fold(const PatternBlock& block, const document::Frame& turn, PatternPiece& piece);
 
 // By how many degrees the piece must be turned for its grain to run along +x, from the line's start to its end; more
 // than -180, at most 180.  A missing grain line is noted, and so is a rotation.

@@ -28,7 +28,7 @@ class Movements {
       if (from.y != to.y) degrees = std::atan2(to.y - from.y, to.x - from.x) * 180 / std::numbers::pi;
     }
     const document::Frame turned{false, degrees, {}};
-    for (const GradedPoint& point : block.graded_points) {
+    for (const blocks::GradedPoint& point : block.graded_points) {
       const auto rule = table.movements.find(point.rule);
       if (rule == table.movements.end()) {
         if (notes) {

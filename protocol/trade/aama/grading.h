@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/blocks/pattern_block.h"
 #include "protocol/trade/rules/rule_table.h"
 
 namespace selvage::protocol::trade::aama {

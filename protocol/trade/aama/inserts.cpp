@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 
 #include "protocol/json/json_text.h"
@@ -18,19 +17,12 @@ struct Insertions {
   bool agree{true};
 };
 
-// The absolute value of the scale; 0 when the axes differ.
-double scale_of(const dxf::Entity& insert) {
-  const double x = std::abs(insert.number(41).value_or(1)), y = std::abs(insert.number(42).value_or(1));
-  return std::abs(x - y) <= 1e-6 * x ? x : 0;
-}
-
-void count(const dxf::Entity& insert, Insertions& insertions) {
-  const double scale = scale_of(insert);
+void count(const dxf::strokes::Insertion& insert, Insertions& insertions) {
+  const double scale = insert.scales_evenly() ? insert.scale() : 0;
   const bool first = insertions.as_drawn + insertions.mirrored == 0;
   if (first) insertions.scale = scale;
-  insertions.agree = insertions.agree && scale == insertions.scale;
-  const bool mirrored = insert.number(41).value_or(1) * insert.number(42).value_or(1) < 0;
-  ++(mirrored ? insertions.mirrored : insertions.as_drawn);
+  insertions.agree = insertions.agree && std::abs(scale - insertions.scale) <= 1e-9 * scale;
+  ++(insert.mirrors() ? insertions.mirrored : insertions.as_drawn);
 }
 
 void follow(const Insertions& insertions, PatternBlock& block, std::vector<Note>& notes) {
@@ -53,19 +45,15 @@ void follow(const Insertions& insertions, PatternBlock& block, std::vector<Note>
 
 }  // namespace
 
-void follow_inserts(const dxf::DxfDrawing& drawing, Encoding encoding, std::vector<PatternBlock>& blocks,
-                    std::vector<Note>& notes) {
-  const auto name_of = [&](std::string_view name) { return in_capitals(decoded(name, encoding)); };
-  std::set<std::string, std::less<>> known;
+void follow_inserts(const std::vector<blocks::PieceInsert>& inserts, Encoding encoding,
+                    std::vector<PatternBlock>& blocks, std::vector<Note>& notes) {
   std::map<std::string, Insertions, std::less<>> inserted;
-  for (const dxf::Block& block : drawing.blocks) known.insert(name_of(block.name));
-  for (const dxf::Entity& entity : drawing.entities) {
-    if (entity.type != "INSERT") continue;
-    if (!known.contains(name_of(entity.text(2)))) {
-      notes.push_back(note_at(entity.line, "INSERT of block " + in_quotes(decoded(entity.text(2), encoding)) +
-                                               ", which is not in the file"));
+  for (const blocks::PieceInsert& insert : inserts) {
+    const std::string name = decoded(insert.name, encoding);
+    if (!insert.block) {
+      notes.push_back(note_at(insert.line, "INSERT of block " + in_quotes(name) + ", which is not in the file"));
     }
-    count(entity, inserted[name_of(entity.text(2))]);
+    count(insert.insertion, inserted[in_capitals(name)]);
   }
   if (inserted.empty()) return;
   for (PatternBlock& block : blocks) {

@@ -9,7 +9,7 @@
 #include "protocol/document/frame.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json/json_text.h"
-#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/blocks/pattern_block.h"
 #include "protocol/trade/aama/piece_texts.h"
 #include "protocol/trade/dxf/drawing.h"
 #include "protocol/trade/options.h"
@@ -41,7 +41,7 @@ class NestReader {
     for (const dxf::Entity& entity : drawing_.entities) keep_text(entity, texts);
     read_strip(texts);
     const double unit = in_millimetres(written_.unit == "in" ? LengthUnit::kInch : LengthUnit::kMillimetre);
-    BlockReading reading{Encoding::kUtf8, {ReadingOptions{}.tolerance / unit, bytes_}};
+    blocks::BlockReading reading{Encoding::kUtf8, {ReadingOptions{}.tolerance / unit, bytes_}};
     for (const dxf::Block& block : drawing_.blocks) read_block(block, reading);
     if (const auto error = reading.flattening.error()) return *error;
     read_inserts();
@@ -90,8 +90,8 @@ class NestReader {
     }
   }
 
-  void read_block(const dxf::Block& block, BlockReading& reading) {
-    const PatternBlock pattern = read_pattern_block(block, reading);
+  void read_block(const dxf::Block& block, blocks::BlockReading& reading) {
+    const PatternBlock pattern = blocks::read_pattern_block(block, reading);
     const std::string* name = pattern.text("PIECE NAME");
     if (!name || pattern.boundary.empty()) return;
     Texts texts;

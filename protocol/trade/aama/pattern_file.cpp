@@ -7,11 +7,12 @@
 
 #include "protocol/document/frame.h"
 #include "protocol/json/json_text.h"
+#include "protocol/trade/aama/blocks/pattern_blocks.h"
 #include "protocol/trade/aama/finishing.h"
 #include "protocol/trade/aama/grading.h"
 #include "protocol/trade/aama/inserts.h"
-#include "protocol/trade/aama/pattern_block.h"
 #include "protocol/trade/aama/piece_texts.h"
+#include "protocol/trade/aama/unfolding.h"
 #include "protocol/trade/dxf/text_lines.h"
 #include "protocol/trade/dxf/units.h"
 #include "protocol/trade/rules/rule_table.h"
@@ -32,10 +33,10 @@ class StyleReader {
     if (blocks_.empty()) return no_pattern();
     if (!unit) return unit.error();
     for (PatternBlock& block : blocks_) scale(block, *unit);
-    if (enlarge_shallow_notches(blocks_)) {
+    if (blocks::enlarge_shallow_notches(blocks_)) {
       style_.notes.push_back({"", "no notch is as deep as 1 mm: their depths and widths are read as centimetres"});
     }
-    follow_inserts(drawing_, encoding_, blocks_, style_.notes);
+    if (!loose_) follow_inserts(inserts_, encoding_, blocks_, style_.notes);
     share_texts();
     if (const auto error = make_pieces(*unit)) return *error;
     note_what_was_skipped();
@@ -89,39 +90,37 @@ class StyleReader {
   void read_texts(const dxf::Entity& entity, Wanted wanted) {
     if (entity.type != "TEXT" && entity.type != "MTEXT") return;
     for (const std::string& text : dxf::text_lines(entity, encoding_)) {
-      auto pair = key_and_value(text);
+      auto pair = blocks::key_and_value(text);
       if (pair && wanted(pair->first)) texts_.emplace(std::move(*pair));
     }
   }
 
   std::optional<Error> read_blocks(double unit) {
-    BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}};
-    for (const dxf::Block& block : drawing_.blocks) {
-      if (block.name.starts_with('*') && !in_capitals(block.name).starts_with("*U")) continue;  // spaces, dimensions
-      PatternBlock read = read_pattern_block(block, reading);
-      if (read.boundary.empty()) {
-        style_.notes.push_back(note_at(block.line, "block " + in_quotes(read.name) + " has no boundary; left out"));
-        continue;
-      }
-      blocks_.push_back(std::move(read));
-    }
+    blocks::BlockReading reading{encoding_, {options_.tolerance / unit, bytes_}};
+    auto read = blocks::read_pattern_blocks(drawing_, 1 / unit, reading);
+    if (!read) return read.error();
+    blocks_ = std::move(read->pieces);
+    inserts_ = std::move(read->inserts);
+    loose_ = read->loose;
     style_.notes.insert(style_.notes.end(), reading.notes.begin(), reading.notes.end());
     passed_over_ = std::move(reading.passed_over);
-    return reading.flattening.error();
+    return std::nullopt;
   }
 
   [[nodiscard]] Error no_pattern() const {
     return {ErrorCode::kUnknownFormat,
             "no pattern file: of " + std::to_string(drawing_.blocks.size()) +
-                " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires.  Ask for plain DXF to read every "
-                "closed outline as a piece",
+                " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires, and no line on layer 1 lies "
+                "outside of "
+                "blocks.  Ask for plain DXF to read every closed outline as a piece",
             ""};
   }
 
   [[nodiscard]] std::string name_of_piece(const PatternBlock& block) {
     if (const std::string* name = block.text("PIECE NAME")) return *name;
     style_.notes.push_back(
-        note_at(block.line, "block " + in_quotes(block.name) + " has no Piece Name; the block's is taken"));
+        note_at(block.line, (loose_ ? "" : "block ") + in_quotes(block.name) +
+                                (loose_ ? " has no Piece Name" : " has no Piece Name; the block's is taken")));
     return block.name;
   }
 
@@ -168,6 +167,7 @@ class StyleReader {
       if (!read) return json::within("/rules", read.error());
       table = *std::move(read);
       style_.sizes = table->sizes;
+      for (const Note& note : table->notes) style_.notes.push_back({"/rules" + note.field, note.text});
     } else {
       for (const std::string& size : sizes_) {
         if (std::find(style_.sizes.begin(), style_.sizes.end(), size) == style_.sizes.end())
@@ -274,6 +274,8 @@ class StyleReader {
   Encoding encoding_{};
   std::map<std::string, std::size_t> passed_over_;  // a layer that is not read -> the first line of it
   std::vector<PatternBlock> blocks_;
+  std::vector<blocks::PieceInsert> inserts_;
+  bool loose_{};                            // there are no blocks: the pieces are drawn in ENTITIES
   std::vector<std::string> names_, sizes_;  // of the blocks
   Style style_;
 };

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/blocks/pattern_block.h"
 
 namespace selvage::protocol::trade::aama {
 

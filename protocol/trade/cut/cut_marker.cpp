@@ -34,8 +34,10 @@ double settle_unit(const CutCommands& commands, const ReadingOptions& options, s
 
 void scale(CutPiece& piece, double unit) {
   const auto scale_spot = [unit](Spot& spot) { spot = rounded({spot.x * unit, spot.y * unit}); };
-  for (Run& run : piece.runs) {
-    for (Spot& point : run.points) scale_spot(point);
+  for (std::vector<Run>* const runs : {&piece.runs, &piece.drawn}) {
+    for (Run& run : *runs) {
+      for (Spot& point : run.points) scale_spot(point);
+    }
   }
   for (Spot& drill : piece.drills) scale_spot(drill);
   for (CutLabel& label : piece.labels) scale_spot(label.at);
@@ -94,6 +96,9 @@ PlacedPattern pattern_of(const CutPiece& piece, const Loop& outline, const std::
   for (const Run& run : piece.runs) {
     placed.annotations.lines.push_back({document::LineKind::kCutOut, false, run.points});
   }
+  for (const Run& run : piece.drawn) {
+    if (run.points.size() > 1) placed.annotations.lines.push_back({document::LineKind::kInternal, false, run.points});
+  }
   placed.annotations.drills = piece.drills;
   return placed;
 }
@@ -116,6 +121,9 @@ void add_unnumbered(CutPiece all, std::vector<Loop> loops, PlacedMarker& marker)
   }
   for (Run& run : all.runs) {
     if (CutPiece* const piece = around(run.points)) piece->runs.push_back(std::move(run));
+  }
+  for (Run& run : all.drawn) {
+    if (CutPiece* const piece = around(run.points)) piece->drawn.push_back(std::move(run));
   }
   if (outside > 0) {
     marker.notes.push_back(

@@ -2,7 +2,8 @@
 //
 // The unit is the caller's, otherwise a tenth of a millimetre (G71), otherwise a hundredth of an inch.  A piece is the
 // largest closed loop between two N; the knife cuts an outline in several runs, which are joined where their ends meet.
-// Other loops and runs of the knife become inner cuts.  Labels such as "S:XL-A M:STYLE N:FRONT" give size, bundle and
+// Other loops and runs of the knife become inner cuts, and what the pen draws inner lines; in a file that cuts nothing
+// the pen's lines are the outlines.  Labels such as "S:XL-A M:STYLE N:FRONT" give size, bundle and
 // name.
 #pragma once
 

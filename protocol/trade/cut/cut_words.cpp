@@ -91,6 +91,11 @@ class Interpreter {
         moved_ = true;
         break;
       case 'N': begin_piece(static_cast<std::size_t>(std::max(0.0, word.number))); break;
+      case 'D':
+        if (word.number == 1) lower_pen();
+        if (word.number == 2) pen_down_ = false;
+        break;
+      case 'R': return obey_function(43, block);
       case 'A': raise(); break;
       case 'B': lower(); break;
       case 'G':
@@ -117,6 +122,7 @@ class Interpreter {
         if (const auto text = next()) commands_.message = decoded(*text, encoding_);
         break;
       case 31: read_label(placed || block.size() > 1); break;
+      case 70: note_origin(); break;
       case 43:
       case 44: piece().drills.push_back(at_); break;
       default: break;
@@ -146,7 +152,8 @@ class Interpreter {
   void begin_piece(std::size_t number) {
     raise();
     commands_.numbered = true;
-    commands_.pieces.push_back({{}, {}, {}, number});
+    commands_.pieces.push_back({{}, {}, {}, {}, number});
+    pen_down_ = false;
   }
 
   void lower() {
@@ -154,10 +161,29 @@ class Interpreter {
     down_ = true;
     piece().runs.push_back({{at_}, {}, false, number_});
   }
+  // Unlike the knife, the pen draws the move of the block in which it is lowered [RS-274-D].
+  void lower_pen() {
+    if (pen_down_) return;
+    pen_down_ = true;
+    piece().drawn.push_back({{here_}, {}, false, number_});
+  }
   void raise() { down_ = false; }
   void move() {
     moved_ = false;
-    if (down_ && piece().runs.back().points.back() != at_) piece().runs.back().points.push_back(at_);
+    here_ = at_;
+    const auto extend = [&](std::vector<Run>& runs) {
+      if (runs.back().points.back() != at_) runs.back().points.push_back(at_);
+    };
+    if (down_) extend(piece().runs);
+    if (pen_down_) extend(piece().drawn);
+  }
+
+  // M70 sets the origin before anything is cut; standard coordinates are absolute, so that there is only one.
+  void note_origin() {
+    const auto begun = [](const CutPiece& piece) { return !piece.runs.empty() || !piece.drawn.empty(); };
+    if (std::none_of(commands_.pieces.begin(), commands_.pieces.end(), begun)) return;
+    commands_.notes.push_back({"/block/" + std::to_string(number_),
+                               "M70 behind the first cut is ignored: all coordinates are taken from one origin"});
   }
 
   void note_unread(std::string_view block) {
@@ -169,15 +195,25 @@ class Interpreter {
 
   CutCommands finish() {
     if (incremental_) commands_.notes.push_back({"", "G91 is ignored: coordinates are absolute in ASTM D6672"});
-    std::erase_if(commands_.pieces, [](const CutPiece& piece) { return piece.runs.empty(); });
+    const auto draws_nothing = [](const CutPiece& piece) { return piece.drawn.empty(); };
+    const auto cuts_nothing = [](const CutPiece& piece) {
+      return std::all_of(piece.runs.begin(), piece.runs.end(), [](const Run& run) { return run.points.size() < 2; });
+    };
+    std::vector<CutPiece>& pieces = commands_.pieces;
+    if (std::all_of(pieces.begin(), pieces.end(), cuts_nothing) &&
+        !std::all_of(pieces.begin(), pieces.end(), draws_nothing)) {
+      commands_.notes.push_back({"", "nothing is cut: what the pen draws (D1) is taken for what the knife cuts"});
+      for (CutPiece& piece : pieces) std::swap(piece.runs, piece.drawn);
+    }
+    std::erase_if(pieces, [](const CutPiece& piece) { return piece.runs.empty(); });
     return std::move(commands_);
   }
 
   std::string_view text_;
   Encoding encoding_;
   std::size_t number_{}, unread_{};
-  Spot at_;
-  bool moved_{}, down_{}, incremental_{};
+  Spot at_, here_;  // as the last coordinates say, and as the last move left it
+  bool moved_{}, down_{}, pen_down_{}, incremental_{};
   CutCommands commands_;
 };
 

@@ -1,9 +1,9 @@
 // The commands of a cut file: ASTM D6672 (a subset of EIA-274-D) with Gerber's codes.
 //
 // A file is a list of blocks that end with *, each of words: a letter and a number.  Coordinates are absolute and
-// modal.  The reader supports X, Y, N (a piece begins), M14 and B (knife down), M15 and A (knife up), M20 (message),
-// M31 (label), M43 and M44 (drill), M0 and M30 (end), G70 and G71 (unit); it ignores other commands, as the standard
-// requires.
+// modal.  The reader supports X, Y, N (a piece begins), M14 and B (knife down), M15 and A (knife up), D1 and D2 (pen
+// down and up, for the move of their own block, too), M20 (message), M31 (label), M43, M44 and R (drill), M0 and M30
+// (end), G70 and G71 (unit); it ignores other commands, as the standard requires.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ struct CutLabel {
 
 struct CutPiece {
   std::vector<CutLabel> labels;
-  std::vector<Run> runs;  // of the lowered knife
+  std::vector<Run> runs;   // of the lowered knife
+  std::vector<Run> drawn;  // of the lowered pen
   std::vector<Spot> drills;
   std::size_t number{};  // of its N; 0: none
 };

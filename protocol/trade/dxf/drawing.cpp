@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "protocol/trade/style.h"
 #include "protocol/trade/text.h"
@@ -115,6 +116,13 @@ class Reader {
     }
   }
 
+  void demand_numbers(const Entity& entity, std::initializer_list<int> codes) {
+    for (const Tag& tag : entity.tags) {
+      const bool demanded = std::find(codes.begin(), codes.end(), tag.code) != codes.end();
+      if (demanded && !tag.text.empty()) coordinate(tag, mistake_);
+    }
+  }
+
   void keep(Entity entity) {
     if (section_ == "BLOCKS" && !in_block_) return;
     if (whole_number_in(entity.text(67)) == 1) {  // paper space: the frame of a printed page
@@ -128,6 +136,8 @@ class Reader {
     // A POLYLINE's own point is a dummy.
     if (!polyline) read_vertices(entity, 10, mistake_);
     if (entity.type == "LINE") read_vertices(entity, 11, mistake_);
+    if (entity.type == "SPLINE" && entity.vertices.empty()) demand_numbers(entity, {11, 21});  // its fit points
+    if (entity.type == "INSERT") demand_numbers(entity, {41, 42, 44, 45, 50});  // how it scales, repeats and turns
     auto& list = section_ == "BLOCKS" ? drawing_.blocks.back().entities : drawing_.entities;
     list.push_back(std::move(entity));
     if (polyline)

@@ -51,7 +51,8 @@ struct DxfDrawing {
 };
 
 // REQUIRES: the tags outlive the drawing.
-// Errors: kSyntax for a coordinate that is no number, kOutOfRange for one beyond kFarthestCoordinate, with the line.
+// Errors: kSyntax for a coordinate or scale that is no number, kOutOfRange for one beyond kFarthestCoordinate, with the
+// line.
 [[nodiscard]] Result<DxfDrawing> read_drawing(std::span<const Tag> tags);
 
 }  // namespace selvage::protocol::trade::dxf

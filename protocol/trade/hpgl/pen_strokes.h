@@ -1,9 +1,8 @@
 // The strokes and labels of HP-GL and HP-GL/2 files, as far as pattern rooms use them.
 //
-// The reader supports PU, PD, PA and PR (the pen), AA, AR and CI (arcs and circles), EA, ER, RA and RR
-// (rectangles), LB with DT (labels) and LT (a stroke is dashed); it ignores other instructions.  Encoded polylines
-// (PE) and scaling (SC), which affect the drawing, are noted.  Units: plotter units, 0.025 mm, unless the file is
-// scaled.
+// The reader supports PU, PD, PA and PR (the pen), PE (encoded polylines), AA, AR and CI (arcs and circles), EA, ER, RA
+// and RR (rectangles), LB with DT (labels), LT (a stroke is dashed), IP and SC (user units); it ignores other
+// instructions.  Units: plotter units, 0.025 mm.
 #pragma once
 
 #include <string>
@@ -27,9 +26,6 @@ struct PenStrokes {
   std::vector<PenLabel> labels;
   std::vector<Note> notes;
 };
-
-// Whether the text begins like a plot: with an instruction that sets one up, after escape sequences for the plotter.
-[[nodiscard]] bool looks_like_hpgl(std::string_view text);
 
 // Arcs are flattened in plotter units.
 [[nodiscard]] PenStrokes read_strokes(std::string_view text, Flattening& flattening);

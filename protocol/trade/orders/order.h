@@ -3,7 +3,7 @@
 // JSON:  {"order": "A17", "style": "S350", "quantities": {"red": {"S": 10, "M": 20}},
 //         "material": "SHL", "width": 1500, "mode": "either", "ratio": {"S": 1, "M": 2},
 //         "shrinkage": {"SHL": {"length": 3, "width": 1.5}}}
-// CSV:   colour,S,M
+// CSV:   colour,S,M      or with sizes in the rows, or as a list of colours, sizes and quantities (order_table.h)
 //        red,10,20
 // `ratio` says how many bundles of each size the marker holds; without it the sums of the quantities over all colours,
 // divided by their greatest common divisor.  Units: millimetres; shrinkage in per cent of the cloth's length and width.
@@ -48,7 +48,7 @@ struct Order {
 
 inline constexpr int kMostBundles = 1000;  // of one size
 
-// JSON when the text begins with {, else CSV with commas or semicolons.
+// JSON when the text begins with {, else a table.
 // Errors: those of parse and of reading fields; kSyntax and kMissingField for a CSV that is no table.  `field` is a
 // JSON pointer into the order, or "/line/N".
 [[nodiscard]] Result<Order> read_order(std::string_view text);

@@ -11,6 +11,7 @@
 #include "protocol/document/frame.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/aama/finishing.h"
+#include "protocol/trade/aama/unfolding.h"
 #include "protocol/trade/loops.h"
 #include "protocol/trade/svg/svg_drawing.h"
 #include "protocol/trade/text.h"

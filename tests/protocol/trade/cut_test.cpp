@@ -72,6 +72,38 @@ TEST(CutIn, WithoutNumbersEveryPieceHasWhatLiesInIt) {
   EXPECT_TRUE(test::has_note(*file, "1 labels, drill holes and open cuts outside of all pieces"));
 }
 
+TEST(CutIn, WhatThePenDrawsIsAnInnerLine) {
+  const auto file = protocol::files::read_file(
+      "H1*G71*M70*D2*M15*N1*X100Y100*D1*X900Y100*D2*X0Y0*M14*X1000Y0*X1000Y500*X0Y500*X0Y0*M15*M0*");
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->marker.pieces.size(), 1U);
+  EXPECT_NEAR(test::area_of(*file, 0), 100 * 50, 1e-6);
+  const auto drawn = protocol::document::annotations_of(file->attributes.shapes[0]);
+  ASSERT_EQ(drawn.lines.size(), 1U);
+  EXPECT_EQ(drawn.lines[0].kind, protocol::document::LineKind::kInternal);
+  EXPECT_NEAR(drawn.lines[0].points.back().x - drawn.lines[0].points.front().x, 80, 1e-6);
+}
+
+// With D codes in blocks of their own, and in the blocks of the coordinates.
+TEST(CutIn, WithoutAKnifeThePenDrawsTheOutlines) {
+  for (const char* text : {"H1*G71*M70*D2*N1*X0Y0*D1*X1000Y0*X1000Y500*X0Y500*X0Y0*D2*M0*",
+                           "G71*M70*X0Y0D2*X1000Y0D1*X1000Y500D1*X0Y500D01*X0Y0D01*D02*M00*"}) {
+    const auto file = protocol::files::read_file(text);
+    ASSERT_TRUE(file) << file.error().message;
+    ASSERT_EQ(file->marker.pieces.size(), 1U);
+    EXPECT_NEAR(test::area_of(*file, 0), 100 * 50, 1e-6);
+    EXPECT_TRUE(test::has_note(*file, "nothing is cut: what the pen draws (D1)"));
+  }
+}
+
+TEST(CutIn, AnOriginBehindTheFirstCutAndDrillHolesByRAreNotedAndRead) {
+  const auto file =
+      protocol::files::read_file("G71*M70*N1*X0Y0*M14*X1000Y0*X1000Y500*X0Y500*X0Y0*M15*X300Y300R*M70*X500Y300*R*M0*");
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_EQ(protocol::document::annotations_of(file->attributes.shapes[0]).drills.size(), 2U);
+  EXPECT_TRUE(test::has_note(*file, "/block/12: M70 behind the first cut is ignored"));
+}
+
 TEST(CutOut, IsReadBackToATenthOfAMillimetre) {
   const MarkerFile file = read_example("polypattern_like.dxf");
   const auto text = protocol::files::write_marker(file, FileFormat::kCut);

@@ -2,6 +2,8 @@
 // with gaps.  The files are written here, each with one piece of five corners and one oddity.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -164,9 +166,47 @@ TEST(Inserts, ABlockThatIsInsertedTwiceIsNoted) {
   EXPECT_TRUE(has_note(file, "inserted 2 times; its quantity counts"));
 }
 
-TEST(Boundary, ASplineWithoutControlPointsIsNoted) {
-  const std::string spline = tag(0, "SPLINE") + tag(8, "1") + tag(71, "3") + spot(0, 0, 11) + spot(50, 50, 11);
+TEST(Boundary, ASplineWithoutPointsIsNoted) {
+  const std::string spline = tag(0, "SPLINE") + tag(8, "1") + tag(71, "3");
   EXPECT_TRUE(has_note(read_text(file_of(named("A") + spline)), "SPLINE on layer 1 is not read"));
+}
+
+// A closed spline through points of a circle: the outline contains them, and the curve hardly differs from the circle.
+TEST(Boundary, ASplineOfFitPointsAloneIsTheCubicOneThroughThem) {
+  constexpr int kPoints = 12;
+  constexpr double kRadius = 100;
+  std::string fit = tag(0, "SPLINE") + tag(8, "1") + tag(70, "1") + tag(71, "3") + tag(74, std::to_string(kPoints));
+  for (int k = 0; k < kPoints; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kPoints;
+    fit += spot(kRadius * std::cos(angle), kRadius * std::sin(angle), 11);
+  }
+  const MarkerFile file = read_text(file_of(named("A", fit)));
+  EXPECT_NEAR(test::area_of(file, 0), std::numbers::pi * kRadius * kRadius, 0.2 * 2 * std::numbers::pi * kRadius);
+  EXPECT_GE(extent_of(file, "A").x, 2 * kRadius - 1e-6);
+  EXPECT_GE(extent_of(file, "A").y, 2 * kRadius - 1e-6);
+  EXPECT_TRUE(has_note(file, "SPLINE has fit points only"));
+  EXPECT_FALSE(has_note(file, "is not read"));
+}
+
+TEST(Boundary, AFitPointThatIsNoNumberIsRefusedWithItsLine) {
+  const std::string spline = tag(0, "SPLINE") + tag(8, "1") + spot(0, 0, 11) + tag(11, "nan") + tag(21, "1");
+  const auto file = read_file(file_of(named("A", spline)));
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().code, ErrorCode::kSyntax);
+  EXPECT_TRUE(file.error().field.starts_with("/line/")) << file.error().field;
+}
+
+// Ends as the tangents say, and natural ones: from (0, 0) over (100, 50) to (200, 0), closed by a line below.
+TEST(Boundary, TheEndTangentsOfASplineOfFitPointsCount) {
+  const std::string points = spot(0, 0, 11) + spot(100, 50, 11) + spot(200, 0, 11);
+  const std::string below = polyline({{200, 0}, {200, -100}, {0, -100}, {0, 0}}, false);
+  const std::string spline = tag(0, "SPLINE") + tag(8, "1") + tag(71, "3");
+  const double natural = test::area_of(read_text(file_of(named("A", spline + points + below))), 0);
+  const double steep =
+      test::area_of(read_text(file_of(named("A", spline + points + spot(0, 1, 12) + spot(0, -1, 13) + below))), 0);
+  EXPECT_GT(natural, 200 * 100 + 200 * 50 / 2.0);
+  EXPECT_LT(natural, 200 * 100 + 200 * 50);
+  EXPECT_GT(steep, natural + 500);
 }
 
 // A side from (0, 0) to (300, 100) whose upper end moves: a notch in its middle moves half as far.

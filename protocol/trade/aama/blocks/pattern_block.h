@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "protocol/trade/dxf/drawing.h"
+#include "protocol/trade/dxf/strokes/insertion.h"
 #include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 #include "protocol/trade/style.h"
 #include "protocol/trade/text.h"
 
-namespace selvage::protocol::trade::aama {
+namespace selvage::protocol::trade::aama::blocks {
 
 using Texts = std::map<std::string, std::string>;  // key -> value
 
@@ -49,8 +50,11 @@ struct BlockReading {
   Flattening flattening;                             // in the file's unit
   std::map<std::string, std::size_t> passed_over{};  // a layer that is not read -> the first line of it
   std::vector<Note> notes{};
+  dxf::strokes::Blocks* blocks{};  // that the block may insert; null: INSERTs are not followed
 };
 
+// With the blocks that it inserts, which belong to the same piece; the block's own texts count before theirs.
+// Check the error of reading.blocks afterwards.
 [[nodiscard]] PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading);
 
 // Depths of less than a millimetre in all blocks of a file are centimetres, because Browzwear writes them so.  Returns
@@ -61,4 +65,9 @@ bool enlarge_shallow_notches(std::vector<PatternBlock>& blocks);
 // pair with a known key.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text);
 
+}  // namespace selvage::protocol::trade::aama::blocks
+
+namespace selvage::protocol::trade::aama {
+using blocks::PatternBlock;
+using blocks::Texts;
 }  // namespace selvage::protocol::trade::aama

@@ -1,4 +1,4 @@
-#include "protocol/trade/dxf/curves.h"
+#include "protocol/trade/dxf/strokes/curves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "protocol/trade/dxf/strokes/fitted_spline.h"
 #include "protocol/trade/path.h"
 #include "protocol/trade/text.h"
 
-namespace selvage::protocol::trade::dxf {
+namespace selvage::protocol::trade::dxf::strokes {
 namespace {
 
 using document::Spot;
@@ -192,6 +193,7 @@ std::optional<Run> spline_run(const Entity& entity, Flattening& flattening) {
 }  // namespace
 
 std::optional<Run> run_of(const Entity& entity, Flattening& flattening) {
+  if (is_fitted(entity)) return fitted_run(entity, flattening);
   if (entity.vertices.empty()) return std::nullopt;
   if (entity.type == "POLYLINE" || entity.type == "LWPOLYLINE") return polyline_run(entity, flattening);
   if (entity.type == "LINE" && entity.vertices.size() == 2) return polyline_run(entity, flattening);
@@ -201,4 +203,4 @@ std::optional<Run> run_of(const Entity& entity, Flattening& flattening) {
   return std::nullopt;
 }
 
-}  // namespace selvage::protocol::trade::dxf
+}  // namespace selvage::protocol::trade::dxf::strokes

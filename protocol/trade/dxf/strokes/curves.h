@@ -7,9 +7,9 @@
 #include "protocol/trade/flattening.h"
 #include "protocol/trade/loops.h"
 
-namespace selvage::protocol::trade::dxf {
+namespace selvage::protocol::trade::dxf::strokes {
 
 // Returns none for an entity that draws no line.
 [[nodiscard]] std::optional<Run> run_of(const Entity& entity, Flattening& flattening);
 
-}  // namespace selvage::protocol::trade::dxf
+}  // namespace selvage::protocol::trade::dxf::strokes

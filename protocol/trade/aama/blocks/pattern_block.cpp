@@ -1,4 +1,4 @@
-#include "protocol/trade/aama/pattern_block.h"
+#include "protocol/trade/aama/blocks/pattern_block.h"
 #include "protocol/trade/text.h"
 
 #include <algorithm>
@@ -6,10 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "protocol/trade/dxf/curves.h"
+#include "protocol/trade/dxf/strokes/curves.h"
+#include "protocol/trade/dxf/strokes/fitted_spline.h"
 #include "protocol/trade/dxf/text_lines.h"
 
-namespace selvage::protocol::trade::aama {
+namespace selvage::protocol::trade::aama::blocks {
 namespace {
 
 using document::LineKind;
@@ -44,21 +45,75 @@ std::optional<NotchKind> notch_kind(int layer, double width) {
   }
 }
 
-Spot spot_of(const dxf::DxfVertex& vertex) {
-  return {vertex.x, vertex.y};
-}
-
 class BlockReader {
  public:
   BlockReader(PatternBlock& block, BlockReading& reading) : block_{block}, reading_{reading} {}
 
-  void read(const Entity& entity) {
-    if (entity.type == "TEXT" || entity.type == "MTEXT" || entity.type == "ATTDEF") return read_text(entity);
-    const auto layer = whole_number_in(entity.layer);
-    if (!layer || !read_drawn(entity, *layer)) pass_over(entity);
+  void read_all(const std::vector<Entity>& entities) {
+    std::vector<const Entity*> inserts;
+    for (const Entity& entity : entities) {
+      if (entity.type == "INSERT" && reading_.blocks)
+        inserts.push_back(&entity);
+      else
+        read(entity);
+    }
+    for (const Entity* insert : inserts) read_inserted(*insert);
   }
 
  private:
+  void read_inserted(const Entity& insert) {
+    if (!reading_.blocks->of(insert)) {
+      reading_.notes.push_back(
+          note_at(insert.line, "INSERT of block " + json::shortened(Json(decoded(insert.text(2), reading_.encoding))) +
+                                   ", which is not in the file"));
+      return;
+    }
+    const dxf::strokes::Insertion outer = at_;
+    const std::string_view outer_layer = inherited_;
+    const Entity* const outer_insert = insert_;
+    const dxf::strokes::Insertion seen =
+        dxf::strokes::from_behind(insert) ? outer.after(dxf::strokes::kSeenFromBehind) : outer;
+    reading_.blocks->insert(insert, seen, depth_,
+                            [&](const dxf::Block& block, const dxf::strokes::Insertion& insertion) {
+                              at_ = insertion;
+                              insert_ = &insert;
+                              inherited_ = insert.layer == "0" ? outer_layer : insert.layer;
+                              ++depth_;
+                              read_all(block.entities);
+                              --depth_;
+                            });
+    at_ = outer;
+    inherited_ = outer_layer;
+    insert_ = outer_insert;
+  }
+
+  // Whether so much that an inserted entity contains may still be read.
+  bool take(std::size_t much) { return !insert_ || reading_.blocks->take(much, *insert_, depth_ - 1); }
+
+  void read(const Entity& entity) {
+    const dxf::strokes::Insertion outer = at_;
+    if (dxf::strokes::from_behind(entity)) at_ = outer.after(dxf::strokes::kSeenFromBehind);
+    // What a block has on layer 0 lies on the layer of its INSERT.
+    const auto layer = whole_number_in(entity.layer == "0" && !inherited_.empty() ? inherited_ : entity.layer);
+    if (entity.type == "TEXT" || entity.type == "MTEXT" || entity.type == "ATTDEF")
+      read_text(entity);
+    else if (!layer || !read_drawn(entity, *layer))
+      pass_over(entity);
+    at_ = outer;
+  }
+
+  [[nodiscard]] Spot spot_of(const dxf::DxfVertex& vertex) const { return at_.apply({vertex.x, vertex.y}); }
+
+  std::optional<Run> run_of(const Entity& entity) {
+    const Flattening::Enlarged enlarged{reading_.flattening, at_.scale()};
+    auto run = dxf::strokes::run_of(entity, reading_.flattening);
+    if (!run || !take(run->points.size())) return std::nullopt;
+    if (dxf::strokes::is_fitted(entity))
+      reading_.notes.push_back(note_at(entity.line, std::string{dxf::strokes::kFittedNote}));
+    at_.apply(*run);
+    return run;
+  }
+
   // Whether the entity was used, or is known to be irrelevant.
   bool read_drawn(const Entity& entity, int layer) {
     constexpr int kTurnPoints = 2, kCurvePoints = 3, kDrill = 13, kNotes = 15, kFirstCopy = 84, kLastCopy = 87;
@@ -66,7 +121,7 @@ class BlockReader {
     if (layer == kTurnPoints || layer == kCurvePoints) return true;
     if (layer >= kFirstCopy && layer <= kLastCopy) return true;  // copies of 1, 8, 11 and 14 for validation
     if (layer == 1) {
-      auto run = dxf::run_of(entity, reading_.flattening);
+      auto run = run_of(entity);
       if (!run) return point;
       block_.boundary.push_back(*std::move(run));
       return true;
@@ -79,7 +134,7 @@ class BlockReader {
     if (layer >= 5 && layer <= 7) return read_reference(entity, layer);
     const auto kind = line_kind(layer == kNotes ? 8 : layer);
     if (point || !kind) return point;
-    auto run = dxf::run_of(entity, reading_.flattening);
+    auto run = run_of(entity);
     if (!run || run->points.size() < 2) return false;
     block_.annotations.lines.push_back({*kind, run->closed, std::move(run->points)});
     return true;
@@ -92,9 +147,9 @@ class BlockReader {
     notch.at = spot_of(entity.vertices.front());
     if (entity.type == "POINT") {
       const auto elevation = entity.number(38);
-      notch.depth = std::abs(entity.number(30).value_or(elevation.value_or(0)));
-      notch.width = std::abs(entity.number(39).value_or(0));
-      notch.angle = entity.number(50);
+      notch.depth = std::abs(entity.number(30).value_or(elevation.value_or(0))) * at_.scale();
+      notch.width = std::abs(entity.number(39).value_or(0)) * at_.scale();
+      if (const auto angle = entity.number(50)) notch.angle = at_.apply_to_angle(*angle);
     } else if (entity.type == "LINE" && entity.vertices.size() > 1) {
       const Spot end = spot_of(entity.vertices.back());
       notch.depth = distance(notch.at, end);
@@ -120,10 +175,12 @@ class BlockReader {
   void read_text(const Entity& entity) {
     if (entity.vertices.empty()) return;
     const double height = entity.number(40).value_or(0);
-    Spot at = spot_of(entity.vertices.front());
+    constexpr std::size_t kBytesOfAPoint = 16;
+    double offset = 0;
     for (const std::string& text : dxf::text_lines(entity, reading_.encoding)) {
-      read_line(text, at, entity);
-      at.y -= 1.5 * height;
+      if (!take(text.size() / kBytesOfAPoint)) return;
+      read_line(text, at_.apply({entity.vertices.front().x, entity.vertices.front().y + offset}), entity);
+      offset -= 1.5 * height;
     }
   }
 
@@ -145,7 +202,8 @@ class BlockReader {
       }
       return;
     }
-    block_.annotations.texts.push_back({text, at, entity.number(40).value_or(0), entity.number(50).value_or(0)});
+    block_.annotations.texts.push_back(
+        {text, at, entity.number(40).value_or(0) * at_.scale(), at_.apply_to_angle(entity.number(50).value_or(0))});
   }
 
   void pass_over(const Entity& entity) {
@@ -155,6 +213,10 @@ class BlockReader {
 
   PatternBlock& block_;
   BlockReading& reading_;
+  dxf::strokes::Insertion at_{};  // what the blocks around an entity do
+  std::string_view inherited_;    // the layer of their INSERT; empty outside of them
+  const Entity* insert_{};        // the innermost one; null outside of them
+  int depth_{};
 };
 
 }  // namespace
@@ -169,7 +231,7 @@ PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading) 
   read.name = decoded(block.name, reading.encoding);
   read.line = block.line;
   BlockReader reader{read, reading};
-  for (const Entity& entity : block.entities) reader.read(entity);
+  reader.read_all(block.entities);
   for (const document::DrawnLine& line : read.annotations.lines) {
     const auto starts_here = [&](const Spot& spot) { return spot == line.points.front(); };
     read.mirrored.push_back(std::none_of(read.unmirrored_spots.begin(), read.unmirrored_spots.end(), starts_here));
@@ -202,4 +264,4 @@ std::optional<std::pair<std::string, std::string>> key_and_value(std::string_vie
   return std::pair{std::move(key), std::string{trimmed(text.substr(colon + 1))}};
 }
 
-}  // namespace selvage::protocol::trade::aama
+}  // namespace selvage::protocol::trade::aama::blocks

@@ -2,7 +2,7 @@
 //
 // Polylines, lines, arcs, circles, ellipses and splines of all layers are joined where their ends meet; curves are
 // flattened so that the outline contains the true one (rational splines and those above the third degree: to within
-// the tolerance).  Inserts are resolved one level deep.  Loops inside a piece become its inner cuts, open lines inside
+// the tolerance).  Blocks may insert blocks.  Loops inside a piece become its inner cuts, open lines inside
 // it internal lines.
 #pragma once
 
@@ -12,9 +12,9 @@
 #include "protocol/trade/options.h"
 #include "protocol/trade/style.h"
 
-namespace selvage::protocol::trade::dxf {
+namespace selvage::protocol::trade::dxf::strokes {
 
 // Errors: those of read_tags, read_drawing and settle_unit; kUnknownFormat when nothing is closed.
 [[nodiscard]] Result<Style> read_plain(std::string_view text, const ReadingOptions& options);
 
-}  // namespace selvage::protocol::trade::dxf
+}  // namespace selvage::protocol::trade::dxf::strokes
