@@ -29,8 +29,8 @@ struct NestTuning {
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
   // A start makes this many moves before it is compared with another one (race.h), fewer when time is short; with a
   // time limit, new starts are made until this part of it is used up.
-  std::uint64_t raced_moves{50'000}, least_raced_moves{20'000};
-  double raced{0.5};
+  std::uint64_t raced_moves{200'000}, least_raced_moves{20'000};
+  double raced{0.8};
   // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
   // of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};
