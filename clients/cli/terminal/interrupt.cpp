@@ -40,7 +40,7 @@ Interrupt::Interrupt() {
 
 Interrupt::~Interrupt() {
   waiter_.request_stop();
-  pthread_kill(waiter_.native_handle(), SIGTERM);  // only the waiting thread receives it, and ends
+  pthread_kill(waiter_.native_handle(), SIGINT);  // only the waiting thread receives it, and ends
   waiter_.join();
   const sigset_t set = stop_signals();
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
