@@ -111,8 +111,7 @@ class StyleReader {
     return {ErrorCode::kUnknownFormat,
             "no pattern file: of " + std::to_string(drawing_.blocks.size()) +
                 " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires, and no line on layer 1 lies "
-                "outside of "
-                "blocks.  Ask for plain DXF to read every closed outline as a piece",
+                "outside of blocks.  Ask for plain DXF to read every closed outline as a piece",
             ""};
   }
 

@@ -180,7 +180,7 @@ void unfold(PatternBlock& block, std::vector<Spot>& outline, std::vector<Note>& 
 
 bool may_lie_on_fold(const PatternBlock& block, const std::vector<Spot>& outline, std::vector<Note>& notes) {
   if (block.mirror_lines.empty() || outline.size() < 3) return false;
-  const std::pair<Spot, Spot> line = block.mirror_lines.front();
+  const Line line = block.mirror_lines.front();
   if (!longest_of(chains_on(outline, line), outline)) return false;
   std::vector<Note> ignored;
   const document::Frame turn{false, turn_of_grain(block, ignored), {}};

@@ -29,6 +29,7 @@ using test::read_text;
 using test::spot;
 using test::tag;
 using test::text;
+
 TEST(UnitText, IsKnownInItsSpellings) {
   for (const auto& [said, millimetres] : {std::pair{"Units: MILLIMETERS", 300.0},
                                           {"UNITS: Metric (mm)", 300.0},

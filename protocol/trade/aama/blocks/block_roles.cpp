@@ -48,8 +48,6 @@ class RoleReader {
   }
 
  private:
-  static constexpr int kDeepest = 16;  // deeper, the insertion of the blocks is an error anyway
-
   void follow(const std::vector<Entity>& entities, const dxf::strokes::Insertion& outer, int depth) {
     for (const Entity& entity : entities) {
       if (entity.type != "INSERT") continue;
@@ -69,13 +67,13 @@ class RoleReader {
 
   // Whether the block, or one that it inserts, draws a line on the boundary layer.
   bool has_boundary(const Block& block, std::string_view inherited, int depth) {
-    if (depth > kDeepest) return false;
+    if (depth > dxf::strokes::kDeepestBlocks) return false;
     const auto [known, fresh] = bounded_.emplace(std::pair{&block, inherited}, false);
     if (!fresh) return known->second;
     const bool found = std::any_of(block.entities.begin(), block.entities.end(), [&](const Entity& entity) {
       if (entity.type != "INSERT") return draws_boundary(entity, inherited);
       const Block* const inner = blocks_.of(entity);
-      return inner && has_boundary(*inner, entity.layer == "0" ? inherited : entity.layer, depth + 1);
+      return inner && has_boundary(*inner, dxf::strokes::layer_of(entity, inherited), depth + 1);
     });
     bounded_[{&block, inherited}] = found;
     return found;
@@ -88,7 +86,7 @@ class RoleReader {
   }
 
   bool collects(const Block& block, int depth) {
-    if (depth > kDeepest) return false;
+    if (depth > dxf::strokes::kDeepestBlocks) return false;
     const auto [known, fresh] = collecting_.emplace(&block, false);
     if (!fresh) return known->second;
     if (has_name(block)) return false;
@@ -118,8 +116,7 @@ BlockRoles roles_of(const dxf::DxfDrawing& drawing, dxf::strokes::Blocks& blocks
 }
 
 bool draws_boundary(const dxf::Entity& entity, std::string_view inherited) {
-  const std::string_view layer = entity.layer == "0" && !inherited.empty() ? inherited : entity.layer;
-  return whole_number_in(layer) == 1 && !is_text(entity) && entity.type != "POINT" && entity.type != "INSERT";
+  return whole_number_in(dxf::strokes::layer_of(entity, inherited)) == 1 && !is_text(entity) && entity.type != "POINT" && entity.type != "INSERT";
 }
 
 }  // namespace selvage::protocol::trade::aama::blocks

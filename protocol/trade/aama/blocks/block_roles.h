@@ -32,7 +32,7 @@ struct BlockRoles {
 // Check the error of `blocks` afterwards.
 [[nodiscard]] BlockRoles roles_of(const dxf::DxfDrawing& drawing, dxf::strokes::Blocks& blocks);
 
-// Whether the entity draws a line on the boundary layer; `inherited` is the layer that replaces layer 0.
+// Whether the entity draws a line on the boundary layer; `inherited`: the layer of the INSERT that it is in, if any.
 [[nodiscard]] bool draws_boundary(const dxf::Entity& entity, std::string_view inherited = {});
 
 }  // namespace selvage::protocol::trade::aama::blocks

@@ -1,5 +1,4 @@
 #include "protocol/trade/aama/blocks/pattern_block.h"
-#include "protocol/trade/text.h"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,7 @@
 #include "protocol/trade/dxf/strokes/curves.h"
 #include "protocol/trade/dxf/strokes/fitted_spline.h"
 #include "protocol/trade/dxf/text_lines.h"
+#include "protocol/trade/text.h"
 
 namespace selvage::protocol::trade::aama::blocks {
 namespace {
@@ -77,7 +77,7 @@ class BlockReader {
                             [&](const dxf::Block& block, const dxf::strokes::Insertion& insertion) {
                               at_ = insertion;
                               insert_ = &insert;
-                              inherited_ = insert.layer == "0" ? outer_layer : insert.layer;
+                              inherited_ = dxf::strokes::layer_of(insert, outer_layer);
                               ++depth_;
                               read_all(block.entities);
                               --depth_;
@@ -93,8 +93,7 @@ class BlockReader {
   void read(const Entity& entity) {
     const dxf::strokes::Insertion outer = at_;
     if (dxf::strokes::from_behind(entity)) at_ = outer.after(dxf::strokes::kSeenFromBehind);
-    // What a block has on layer 0 lies on the layer of its INSERT.
-    const auto layer = whole_number_in(entity.layer == "0" && !inherited_.empty() ? inherited_ : entity.layer);
+    const auto layer = whole_number_in(dxf::strokes::layer_of(entity, inherited_));
     if (entity.type == "TEXT" || entity.type == "MTEXT" || entity.type == "ATTDEF")
       read_text(entity);
     else if (!layer || !read_drawn(entity, *layer))

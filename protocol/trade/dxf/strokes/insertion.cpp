@@ -90,10 +90,9 @@ bool Blocks::reaches(const Insertion& insertion, const Entity& insert) {
 }
 
 bool Blocks::take(std::size_t count, const Entity& insert, int depth) {
-  constexpr int kDeepest = 16;
   constexpr std::size_t kMostInserted = 500'000;
   inserted_ += count;
-  if (!error_ && (depth >= kDeepest || inserted_ > kMostInserted)) {
+  if (!error_ && (depth >= kDeepestBlocks || inserted_ > kMostInserted)) {
     error_ = error_at(insert.line, ErrorCode::kOutOfRange,
                       "INSERT of block " + json::shortened(Json(printable(insert.text(2)))) +
                           ": blocks are nested more than 16 deep, or insert more than 500,000 entities and points");

@@ -15,6 +15,8 @@
 
 namespace selvage::protocol::trade::dxf::strokes {
 
+inline constexpr int kDeepestBlocks = 16;  // an INSERT within so many blocks is refused
+
 // The affine map of an INSERT, or of several within one another.
 struct Insertion {
   double xx{1}, xy{}, yx{}, yy{1};
@@ -38,6 +40,12 @@ struct Insertion {
 // An entity that is seen from behind, with the extrusion direction 0, 0, -1, has the coordinate -x for x.
 [[nodiscard]] bool from_behind(const Entity& entity);
 inline constexpr Insertion kSeenFromBehind{-1, 0, 0, 1, {}};
+
+// The layer on which an entity of an inserted block lies: what a block has on layer 0 lies on the layer of its INSERT.
+// `of_insert`: that layer; empty for an entity that is in no inserted block.
+[[nodiscard]] inline std::string_view layer_of(const Entity& entity, std::string_view of_insert) {
+  return entity.layer == "0" && !of_insert.empty() ? of_insert : entity.layer;
+}
 
 // The copy in this column and row of an INSERT, which may be an array.
 [[nodiscard]] Insertion insertion_of(const Entity& insert, const Block& block, int column, int row);
