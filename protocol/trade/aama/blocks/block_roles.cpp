@@ -116,7 +116,8 @@ BlockRoles roles_of(const dxf::DxfDrawing& drawing, dxf::strokes::Blocks& blocks
 }
 
 bool draws_boundary(const dxf::Entity& entity, std::string_view inherited) {
-  return whole_number_in(dxf::strokes::layer_of(entity, inherited)) == 1 && !is_text(entity) && entity.type != "POINT" && entity.type != "INSERT";
+  return whole_number_in(dxf::strokes::layer_of(entity, inherited)) == 1 && !is_text(entity) &&
+         entity.type != "POINT" && entity.type != "INSERT";
 }
 
 }  // namespace selvage::protocol::trade::aama::blocks
