@@ -3,6 +3,7 @@
 #include "server/jobs/prompt_thread.h"
 #include "server/transport/acceptor.h"
 #include "server/transport/connection_table.h"
+#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/connection.h"
 #include "server/transport/peer.h"
 #include "server/transport/tls.h"
@@ -108,7 +109,7 @@ struct Transport::Implementation {
     jobs::run_promptly(jobs::Promptness::kFirst);
     for (;;) {
       try {
-        io.run();
+        turns.run();
         return;
       } catch (...) {
         log_exception("an I/O handler", std::current_exception());
@@ -211,13 +212,14 @@ struct Transport::Implementation {
   const access::TransportLimits limits;
   const access::Service service;
   access::Access access;  // the I/O thread's
-  const connections::ConnectionContext context{service, limits, access};
+  asio::io_context io{1};
+  connections::BulkTurns turns{io};
+  const connections::ConnectionContext context{service, limits, access, turns};
   const access::TransportLimits health_limits = limits_for_health(limits);
   const access::Service health_service{
       .call = {}, .health = service.health, .ready = service.ready, .counts = service.counts};
   const access::Access access_to_health{.any_host = true};
-  const connections::ConnectionContext health_context{health_service, health_limits, access_to_health};
-  asio::io_context io{1};
+  const connections::ConnectionContext health_context{health_service, health_limits, access_to_health, turns};
   asio::executor_work_guard<asio::io_context::executor_type> work{io.get_executor()};
   asio::steady_timer patience{io};
   std::optional<Tls> tls;

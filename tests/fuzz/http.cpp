@@ -2,7 +2,7 @@
 //
 // The first byte says whether the server requires a token.  Every answer must be HTTP; no call may reach the service
 // without a Host header, from a foreign origin, or, if one is required, without the token.
-#include "server/transport/connections/connection.h"  // before Asio
+#include "server/transport/connections/bulk_turns.h"  // before Asio
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
@@ -26,6 +26,7 @@ namespace {
 
 namespace asio = boost::asio;
 namespace access = server::transport::access;
+using server::transport::connections::BulkTurns;
 using server::transport::connections::Connection;
 using server::transport::connections::ConnectionContext;
 using Local = asio::local::stream_protocol;
@@ -64,7 +65,8 @@ Outcome serve(const std::string& bytes, bool needs_token) {
   };
   const access::TransportLimits limits{.body_bytes = 10'000, .header_bytes = 4096};
   const access::Access rules{.token = std::string{needs_token ? kToken : ""}, .origins = {"https://front.example"}};
-  const ConnectionContext context{service, limits, rules};
+  BulkTurns turns{io};
+  const ConnectionContext context{service, limits, rules, turns};
   const auto connection = std::make_shared<Connection>(std::move(inside), 1, "fuzz", needs_token);
   asio::write(client, asio::buffer(bytes));
   client.shutdown(Local::socket::shutdown_send);

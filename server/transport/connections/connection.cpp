@@ -1,10 +1,11 @@
 #include "server/transport/connections/connection.h"
 
 #include <boost/asio/buffer.hpp>
-#include <boost/asio/post.hpp>
 
 #include <array>
 #include <cstddef>
+
+#include "server/transport/connections/bulk_turns.h"
 
 namespace selvage::server::transport::connections {
 
@@ -85,16 +86,17 @@ boost::asio::awaitable<bool> Connection::wait_for_room(const memory::ByteAccount
   co_return true;
 }
 
-boost::asio::awaitable<std::size_t> Connection::weigh(const access::Service& service, std::string_view message) {
+boost::asio::awaitable<std::size_t> Connection::weigh(const ConnectionContext& context, std::string_view message) {
   constexpr std::size_t kPart = std::size_t{64} << 10;  // takes some hundredths of a millisecond
+  const auto& weight_of = context.service.weigh;
   std::size_t weight{};
-  if (!service.weigh) co_return weight;
+  if (!weight_of) co_return weight;
   while (message.size() > kPart) {
-    weight += service.weigh(message.substr(0, kPart));
+    weight += weight_of(message.substr(0, kPart));
     message.remove_prefix(kPart);
-    co_await boost::asio::post(socket.get_executor(), boost::asio::use_awaitable);
+    co_await context.turns.next();
   }
-  co_return weight + service.weigh(message);
+  co_return weight + weight_of(message);
 }
 
 void Connection::drain() {

@@ -26,11 +26,15 @@ namespace selvage::server::transport::connections {
 
 using Socket = boost::asio::generic::stream_protocol::socket;
 
-// The service that answers a connection, and the limits and access rules that it has to respect.
+class BulkTurns;
+
+// The service that answers a connection, the limits and access rules that it has to respect, and the turns that it
+// takes for the parts of long messages.
 struct ConnectionContext {
   const access::Service& service;
   const access::TransportLimits& limits;
   const access::Access& access;
+  BulkTurns& turns;
 };
 
 // Increments a count for as long as it lives.
@@ -92,9 +96,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   // the account could never have so much room.  `held`: the bytes that the connection holds in the account already.
   boost::asio::awaitable<bool> wait_for_room(const memory::ByteAccount& account, std::size_t held, std::size_t bytes,
                                              std::chrono::milliseconds time);
-  // The number of bytes that answering the message takes in addition to its own, according to the service.  The parts
-  // of a long message are weighed one by one, so that other connections are served in between.
-  boost::asio::awaitable<std::size_t> weigh(const access::Service& service, std::string_view message);
+  // The number of bytes that answering the message takes in addition to its own, according to the service.  Takes a
+  // turn for each part of a long message but the last.
+  static boost::asio::awaitable<std::size_t> weigh(const ConnectionContext& context, std::string_view message);
   // Stops reading; calls in progress are still answered.  If `on_drain` is set, calls that instead.
   void drain();
   // Closes it immediately.

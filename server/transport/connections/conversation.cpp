@@ -50,7 +50,7 @@ asio::awaitable<void> Conversation::wait_for_room() {
 
 asio::awaitable<void> Conversation::call(std::string message) {
   const access::Service& service = context_.service;
-  const std::size_t weight = co_await connection_->weigh(service, message);
+  const std::size_t weight = co_await Connection::weigh(context_, message);
   if (weight > 0 &&
       !co_await connection_->wait_for_room(*service.account, held() + message.size(), weight, context_.limits.room)) {
     co_return send(service.no_room);

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string_view>
 
+#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/hand_over.h"
 #include "server/transport/connections/http_answers.h"
 #include "server/transport/connections/websocket_connection.h"
@@ -106,7 +107,11 @@ class HttpConnection {
     parser.get().body().reserve(bytes);  // an exception within an operation of Beast may end the program
     if (boost::beast::iequals(parser.get()[http::field::expect], "100-continue")) co_await write_continue();
     connection_.arm(connection_.read_watchdog, context_.limits.request);
-    co_await http::async_read(connection_.socket, buffer_, parser, asio::redirect_error(asio::use_awaitable, error));
+    while (!error && !parser.is_done()) {
+      co_await http::async_read_some(connection_.socket, buffer_, parser,
+                                     asio::redirect_error(asio::use_awaitable, error));
+      if (!parser.is_done() && parser.get().body().size() >= BulkTurns::kLong) co_await context_.turns.next();
+    }
     Connection::disarm(connection_.read_watchdog);
     failed_ = failed_ || error;
     co_return std::nullopt;
@@ -128,7 +133,7 @@ class HttpConnection {
   asio::awaitable<HttpResponse> answer_to(HttpRequest& request) {
     if (auto page = page_for(request, context_.service)) co_return *std::move(page);
     const access::Service& service = context_.service;
-    const std::size_t weight = co_await connection_.weigh(service, request.body());
+    const std::size_t weight = co_await Connection::weigh(context_, request.body());
     if (weight > 0 &&
         !co_await connection_.wait_for_room(*service.account, held_.bytes(), weight, context_.limits.room)) {
       co_return no_room();

@@ -3,12 +3,14 @@
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/conversation.h"
 #include "server/transport/connections/line_splitter.h"
 
@@ -18,8 +20,7 @@ namespace {
 namespace asio = boost::asio;
 using Error = boost::system::error_code;
 
-// The bytes that are read at a time.  All other connections have a turn between two parts, so that each waits for at
-// most one part of every connection that sends much.
+// The bytes that are read or written at a time.
 constexpr std::size_t kPart = std::size_t{16} << 10;
 constexpr std::size_t kKeptBuffer = std::size_t{64} << 10;  // for the next answers; a larger one is freed
 
@@ -89,6 +90,7 @@ class LineConnection final : public Conversation {
   // there is no room in time, so that incomplete lines cannot block each other.
   asio::awaitable<void> make_room() {
     held_.set(splitter_.partial_bytes());
+    if (held_.bytes() >= BulkTurns::kLong) co_await context_.turns.next();
     if (held_.bytes() == 0) {
       co_await wait_for_room();
       co_return;
@@ -145,7 +147,7 @@ class LineConnection final : public Conversation {
     const std::array<asio::const_buffer, 2> written_parts{asio::buffer(writing_), asio::buffer(end)};
     const auto extend = [this](Error error, std::size_t sent) {
       connection_->extend(connection_->write_watchdog, context_.limits.write);
-      return asio::transfer_all()(error, sent);
+      return std::min(asio::transfer_all()(error, sent), kPart);
     };
     asio::async_write(connection_->socket, written_parts, extend,
                       [this, self = shared_from_this()](Error error, std::size_t) {

@@ -1,0 +1,43 @@
+// Turns for the work on long messages, which waits while the I/O thread has anything else to do.
+//
+// A long message is read, and weighed, part by part, and each part waits for a turn.  So however many clients send long
+// messages, a short one waits for at most one part of one of them.
+#pragma once
+
+#include "server/transport/connections/connection.h"
+
+#include <boost/asio/io_context.hpp>
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+
+namespace selvage::server::transport::connections {
+
+// Everything here belongs to the I/O thread.
+class BulkTurns {
+ public:
+  // A message of which so many bytes have arrived, with more to come, is long.
+  static constexpr std::size_t kLong = std::size_t{16} << 10;
+  // Bulk work waits for at most this many other handlers, so that short messages cannot keep it from being done.
+  static constexpr std::size_t kOthers = 64;
+
+  explicit BulkTurns(boost::asio::io_context& io) : io_{io} {}
+  BulkTurns(const BulkTurns&) = delete;
+  BulkTurns& operator=(const BulkTurns&) = delete;
+
+  // Waits for a turn; those that wait have them in order.
+  boost::asio::awaitable<void> next();
+  // Executes handlers, as io_context::run() does, and gives the turns; returns when there is no work left, or when a
+  // handler throws an exception.
+  void run();
+
+ private:
+  struct Waiting;
+  void give();
+
+  boost::asio::io_context& io_;
+  std::deque<std::weak_ptr<Waiting>> waiting_;  // in order; expired: its coroutine has been destroyed
+};
+
+}  // namespace selvage::server::transport::connections
