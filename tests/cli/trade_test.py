@@ -177,7 +177,7 @@ class Convert(unittest.TestCase):
         self.path("no.dxf").write_text("0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n")
         ran = run("convert", self.path("no.dxf"), self.path("x.json"))
         self.assertEqual(ran.returncode, 3)
-        self.assertIn("no pattern file", ran.stderr)
+        self.assertIn("no pattern file: it has no block with a boundary", ran.stderr)
 
     def test_one_output_with_a_known_suffix_is_required(self):
         source = EXAMPLES / "gemini_like.cut"

@@ -108,10 +108,14 @@ class StyleReader {
   }
 
   [[nodiscard]] Error no_pattern() const {
+    const std::size_t count = drawing_.blocks.size();
+    const std::string blocks = count == 0   ? "it has no block with"
+                               : count == 1 ? "its only block lacks"
+                                            : "none of its " + std::to_string(count) + " blocks has";
     return {ErrorCode::kUnknownFormat,
-            "no pattern file: of " + std::to_string(drawing_.blocks.size()) +
-                " blocks none has a boundary on layer 1, as AAMA/ASTM D6673 requires, and no line on layer 1 lies "
-                "outside of blocks.  Ask for plain DXF to read every closed outline as a piece",
+            "no pattern file: " + blocks +
+                " a boundary on layer 1, as AAMA/ASTM D6673 requires, and no line on layer 1 lies outside of blocks.  "
+                "Ask for plain DXF to read every closed outline as a piece",
             ""};
   }
 
