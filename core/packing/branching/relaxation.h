@@ -112,6 +112,7 @@ class Relaxation {
   std::vector<RealBox> wide_;  // where the bodies can be anyway; none before the first node
   std::vector<HalfPlane> hulls_;
   std::vector<RealVec> points_;                // of the cells last gathered
+  std::vector<HalfPlane> chords_;              // of the box in which they lie
   std::vector<RealVec> positions_;             // of the bodies and the world, at the solution
   std::vector<std::uint32_t> conflicts_;       // by ring of the problem
   std::vector<std::uint32_t> pair_conflicts_;  // by pair of bodies, the world included
