@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace selvage::packing::branching {
 namespace {
@@ -206,6 +207,19 @@ std::vector<Row> Relaxation::exact_rows(const Node& node) const {
     if (wedges.is_notch(wedges.next(wedge))) add(wedges.next(wedge));
   }
   return rows;
+}
+
+Node Relaxation::copy(const Node& node) {
+  if (spare_.empty()) return node;
+  Node copy = std::move(spare_.back());
+  spare_.pop_back();
+  copy = node;
+  return copy;
+}
+
+void Relaxation::give_back(Node node) {
+  constexpr std::size_t kMost = 16;
+  if (spare_.size() < kMost) spare_.push_back(std::move(node));
 }
 
 bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, double bound, Reasons why) {

@@ -72,6 +72,10 @@ class Relaxation {
   // The depth at which a solution counts as inside a ring; lattice units.
   [[nodiscard]] double tolerance() const { return tuning_.tolerance / columns_.scale; }
 
+  // A copy of the node, in the memory of one that was given back.
+  [[nodiscard]] Node copy(const Node& node);
+  void give_back(Node node);
+
   [[nodiscard]] std::size_t hulls() const { return hulls_.size(); }
   void forget_hulls_from(std::size_t size) { hulls_.resize(size); }
   [[nodiscard]] const Work& work() const { return work_; }
@@ -99,10 +103,10 @@ class Relaxation {
   [[nodiscard]] bool violates_bounds(const Node& node, std::uint32_t a, double least) const;
   [[nodiscard]] bool add_violated_bounds(Node& node);
   [[nodiscard]] bool add_violated_hull(Node& node, RingState& ring);
-  [[nodiscard]] Ranges ranges(const Node& node) const;
+  [[nodiscard]] const Ranges& ranges(const Node& node);
   [[nodiscard]] bool is_refuted(const Node& node);
   [[nodiscard]] bool is_too_long(const Node& node);
-  void raise_bound(Node& node) const;
+  void raise_bound(Node& node);
 
   const Problem* problem_;
   BranchTuning tuning_;
@@ -116,6 +120,8 @@ class Relaxation {
   std::vector<RealVec> positions_;             // of the bodies and the world, at the solution
   std::vector<std::uint32_t> conflicts_;       // by ring of the problem
   std::vector<std::uint32_t> pair_conflicts_;  // by pair of bodies, the world included
+  std::vector<Node> spare_;                    // nodes that were given back
+  Ranges ranges_;                              // of the node last proved something of
   Work work_;
 };
 

@@ -55,18 +55,21 @@ void Relaxation::make_hull(const Node& node, RingState& ring) {
   ring.hull_end = static_cast<std::uint32_t>(hulls_.size());
 }
 
-Ranges Relaxation::ranges(const Node& node) const {
-  Ranges all{{}, columns_.low_length, ceiling_};
+const Ranges& Relaxation::ranges(const Node& node) {
+  ranges_.bodies.clear();
+  ranges_.why.clear();
+  ranges_.low_length = columns_.low_length;
+  ranges_.high_length = ceiling_;
   const std::size_t world = problem_->world();
   for (std::size_t body = 0; body < world; ++body) {
-    all.bodies.push_back(
+    ranges_.bodies.push_back(
         {node.x.lower(world, body), node.y.lower(world, body), node.x.upper(world, body), node.y.upper(world, body)});
     if (wide_.empty()) continue;
-    all.why.push_back({node.x.why_lower(world, body), node.y.why_lower(world, body), node.x.why_upper(world, body),
-                       node.y.why_upper(world, body)});
+    ranges_.why.push_back({node.x.why_lower(world, body), node.y.why_lower(world, body),
+                           node.x.why_upper(world, body), node.y.why_upper(world, body)});
   }
-  all.wide = wide_;
-  return all;
+  ranges_.wide = wide_;
+  return ranges_;
 }
 
 // Whether the solution violates, by more than `least`, a bound on how far another body is ahead of body `a`.
@@ -149,7 +152,7 @@ void Relaxation::start_program(Node& node) {
 }
 
 bool Relaxation::is_refuted(const Node& node) {
-  const Ranges all = ranges(node);
+  const Ranges& all = ranges(node);
   const auto multipliers = node.program.refuting();
   if (!refutes(multipliers, all)) return false;
   conflict_ = why_refuted(multipliers, all);
@@ -157,15 +160,15 @@ bool Relaxation::is_refuted(const Node& node) {
 }
 
 bool Relaxation::is_too_long(const Node& node) {
-  const Ranges all = ranges(node);
+  const Ranges& all = ranges(node);
   const auto multipliers = node.program.bounding();
   if (least_length(multipliers, all) <= ceiling_) return false;
   conflict_ = why_longer(multipliers, all, ceiling_);
   return true;
 }
 
-void Relaxation::raise_bound(Node& node) const {
-  const Ranges all = ranges(node);
+void Relaxation::raise_bound(Node& node) {
+  const Ranges& all = ranges(node);
   const auto multipliers = node.program.bounding();
   const double least = least_length(multipliers, all);
   if (least <= node.bound) return;
