@@ -144,8 +144,8 @@ Children children(Relaxation& relaxation, const Problem& problem, const Node& no
     }
     relaxation.give_back(std::move(child));
     refuted = (relaxation.conflict() & own) == 0;
-    found.conflict = refuted ? relaxation.conflict()
-                             : found.conflict | programs::without(relaxation.conflict(), node.depth);
+    found.conflict =
+        refuted ? relaxation.conflict() : found.conflict | programs::without(relaxation.conflict(), node.depth);
   };
   if (const auto body = undecided(problem, node)) {
     for (std::uint32_t variant = 0; variant < problem.bodies[*body].variants.size(); ++variant) {

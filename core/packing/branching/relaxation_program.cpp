@@ -65,8 +65,8 @@ const Ranges& Relaxation::ranges(const Node& node) {
     ranges_.bodies.push_back(
         {node.x.lower(world, body), node.y.lower(world, body), node.x.upper(world, body), node.y.upper(world, body)});
     if (wide_.empty()) continue;
-    ranges_.why.push_back({node.x.why_lower(world, body), node.y.why_lower(world, body),
-                           node.x.why_upper(world, body), node.y.why_upper(world, body)});
+    ranges_.why.push_back({node.x.why_lower(world, body), node.y.why_lower(world, body), node.x.why_upper(world, body),
+                           node.y.why_upper(world, body)});
   }
   ranges_.wide = wide_;
   return ranges_;

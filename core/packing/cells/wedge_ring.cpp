@@ -240,10 +240,10 @@ bool WedgeRing::lies_within(std::uint32_t wedge, std::span<const HalfPlane> plan
   constexpr double kMargin = 4 * kRaySlack;
   const double height = depth(wedge, centre_);
   return height > 2 * kLeastRadius && std::ranges::all_of(planes, [&](const HalfPlane& plane) {
-    const double centre = plane.room(centre_);
-    const double least = std::min(plane.room(corners_[wedge]), plane.room(corners_[next(wedge)])) - kMargin;
-    return centre <= 0 && least * height >= kMargin * -centre && least >= 0;
-  });
+           const double centre = plane.room(centre_);
+           const double least = std::min(plane.room(corners_[wedge]), plane.room(corners_[next(wedge)])) - kMargin;
+           return centre <= 0 && least * height >= kMargin * -centre && least >= 0;
+         });
 }
 
 // The wedges that rays to the box pass.
@@ -265,9 +265,7 @@ Arc WedgeRing::facing_box(const RealBox& box) const {
     last = std::max(last, way);
   }
   if (last - first + 2 * angle_slack_ > kMostOpening) return whole();
-  const auto at = [&](double angle) {
-    return corner_before(within_turn(angle + geometry::kFullTurn));
-  };
+  const auto at = [&](double angle) { return corner_before(within_turn(angle + geometry::kFullTurn)); };
   const std::uint32_t begin = at(middle + first - angle_slack_);
   const std::uint32_t end = at(middle + last + angle_slack_);
   return {begin, (end + size() - begin) % size() + 1};
