@@ -22,6 +22,14 @@ Work& Work::operator+=(const Work& other) {
   return *this;
 }
 
+void Conflicts::add_since(const Conflicts& before, const Conflicts& now) {
+  const auto add = [](std::vector<std::uint32_t>& counts, const auto& from, const auto& to) {
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += to[k] - from[k];
+  };
+  add(of_rings, before.of_rings, now.of_rings);
+  add(of_pairs, before.of_pairs, now.of_pairs);
+}
+
 Columns columns_of(const Problem& problem) {
   Columns columns{.bodies = problem.bodies.size(), .low = {}, .low_length = problem.least_length};
   double extent = 1;
@@ -42,8 +50,7 @@ Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
       tuning_{tuning},
       columns_{columns_of(problem)},
       positions_(problem.bodies.size() + 1),
-      conflicts_(problem.rings.size()),
-      pair_conflicts_(positions_.size() * positions_.size()) {}
+      conflicts_{problem} {}
 
 std::optional<Node> Relaxation::undecided_root(double ceiling) {
   const std::size_t count = problem_->bodies.size();
@@ -229,7 +236,7 @@ bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, d
 }
 
 double Relaxation::conflicts(const RingState& ring) const {
-  return conflicts_[ring.ring] + kOfThePair * pair_conflicts_[pair_of(ring)];
+  return conflicts_.of_rings[ring.ring] + kOfThePair * conflicts_.of_pairs[pair_of(ring)];
 }
 
 void Relaxation::begin_at(Node& node) {

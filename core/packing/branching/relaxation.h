@@ -34,6 +34,17 @@ struct Work {
   Work& operator+=(const Work& other);
 };
 
+// How often looks have found that no layout is left.
+struct Conflicts {
+  std::vector<std::uint32_t> of_rings;  // by ring of the problem
+  std::vector<std::uint32_t> of_pairs;  // by pair of bodies, the world included
+
+  explicit Conflicts(const Problem& problem)
+      : of_rings(problem.rings.size()), of_pairs((problem.bodies.size() + 1) * (problem.bodies.size() + 1)) {}
+  // Adds those by which `now` exceeds `before`.
+  void add_since(const Conflicts& before, const Conflicts& now);
+};
+
 // The columns of a problem's programs: the least positions, and a scale at which the room is about 1 wide.
 [[nodiscard]] Columns columns_of(const Problem& problem);
 
@@ -58,6 +69,8 @@ class Relaxation {
   // How often a look at the ring has found that, plus a part of how often looks at the other rings of the two bodies
   // have, those in other orientations included.
   [[nodiscard]] double conflicts(const RingState& ring) const;
+  [[nodiscard]] const Conflicts& all_conflicts() const { return conflicts_; }
+  void learn(const Conflicts& conflicts) { conflicts_ = conflicts; }
   // Decisions count from this node on: what is known at it holds anyway.
   void begin_at(Node& node);
 
@@ -115,13 +128,12 @@ class Relaxation {
   Reasons conflict_{};
   std::vector<RealBox> wide_;  // where the bodies can be anyway; none before the first node
   std::vector<HalfPlane> hulls_;
-  std::vector<RealVec> points_;                // of the cells last gathered
-  std::vector<HalfPlane> chords_;              // of the box in which they lie
-  std::vector<RealVec> positions_;             // of the bodies and the world, at the solution
-  std::vector<std::uint32_t> conflicts_;       // by ring of the problem
-  std::vector<std::uint32_t> pair_conflicts_;  // by pair of bodies, the world included
-  std::vector<Node> spare_;                    // nodes that were given back
-  Ranges ranges_;                              // of the node last proved something of
+  std::vector<RealVec> points_;     // of the cells last gathered
+  std::vector<HalfPlane> chords_;   // of the box in which they lie
+  std::vector<RealVec> positions_;  // of the bodies and the world, at the solution
+  Conflicts conflicts_;
+  std::vector<Node> spare_;  // nodes that were given back
+  Ranges ranges_;            // of the node last proved something of
   Work work_;
 };
 
