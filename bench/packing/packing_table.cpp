@@ -32,7 +32,7 @@ struct Options {
 // The first columns of a row: what is known of an instance.
 void print_known(const selvage::Marker& marker, selvage::Coord length, selvage::Coord bound, const char* state,
                  double seconds, std::uint64_t nodes) {
-  std::printf("| %s | %zu | %.6g | %.6g | %s | %.3f | %llu |", marker.name.c_str(), marker.pieces.size(),
+  std::printf("| %s | %zu | %.6g | %.6g | %s | %.4f | %llu |", marker.name.c_str(), marker.pieces.size(),
               to_decimal(length, marker.resolution), to_decimal(bound, marker.resolution), state, seconds,
               static_cast<unsigned long long>(nodes));
 }

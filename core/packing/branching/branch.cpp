@@ -133,21 +133,19 @@ Children children(Relaxation& relaxation, const Problem& problem, const Node& no
   bool refuted = false;
   const double slack = tuning.slack / relaxation.columns().scale;
   const Reasons own = programs::decision(node.depth);
-  std::optional<Node> next;  // takes over the memory of a child that was refuted
   const auto attempt = [&](const auto& restrict) {
     if (refuted) return;
-    next = node;
-    Node& child = *next;
+    Node child = relaxation.copy(node);
     ++child.depth;
     child.program.drop_slack_rows(relaxation.columns(), slack);
     if (restrict(child) && relaxation.settle(child)) {
       found.nodes.push_back(std::move(child));
-    } else if ((relaxation.conflict() & own) == 0) {
-      refuted = true;
-      found.conflict = relaxation.conflict();
-    } else {
-      found.conflict |= programs::without(relaxation.conflict(), node.depth);
+      return;
     }
+    relaxation.give_back(std::move(child));
+    refuted = (relaxation.conflict() & own) == 0;
+    found.conflict =
+        refuted ? relaxation.conflict() : found.conflict | programs::without(relaxation.conflict(), node.depth);
   };
   if (const auto body = undecided(problem, node)) {
     for (std::uint32_t variant = 0; variant < problem.bodies[*body].variants.size(); ++variant) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace selvage::packing::branching {
 namespace {
@@ -19,6 +20,14 @@ Work& Work::operator+=(const Work& other) {
   skipped += other.skipped;
   unproved += other.unproved;
   return *this;
+}
+
+void Conflicts::add_since(const Conflicts& before, const Conflicts& now) {
+  const auto add = [](std::vector<std::uint32_t>& counts, const auto& from, const auto& to) {
+    for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += to[k] - from[k];
+  };
+  add(of_rings, before.of_rings, now.of_rings);
+  add(of_pairs, before.of_pairs, now.of_pairs);
 }
 
 Columns columns_of(const Problem& problem) {
@@ -41,8 +50,7 @@ Relaxation::Relaxation(const Problem& problem, const BranchTuning& tuning)
       tuning_{tuning},
       columns_{columns_of(problem)},
       positions_(problem.bodies.size() + 1),
-      conflicts_(problem.rings.size()),
-      pair_conflicts_(positions_.size() * positions_.size()) {}
+      conflicts_{problem} {}
 
 std::optional<Node> Relaxation::undecided_root(double ceiling) {
   const std::size_t count = problem_->bodies.size();
@@ -208,6 +216,19 @@ std::vector<Row> Relaxation::exact_rows(const Node& node) const {
   return rows;
 }
 
+Node Relaxation::copy(const Node& node) {
+  if (spare_.empty()) return node;
+  Node copy = std::move(spare_.back());
+  spare_.pop_back();
+  copy = node;
+  return copy;
+}
+
+void Relaxation::give_back(Node node) {
+  constexpr std::size_t kMost = 16;
+  if (spare_.size() < kMost) spare_.push_back(std::move(node));
+}
+
 bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, double bound, Reasons why) {
   if (bounds.raise(a, b, bound, why)) return true;
   conflict_ = why | bounds.why_upper(a, b);
@@ -215,7 +236,7 @@ bool Relaxation::raise(DifferenceBounds& bounds, std::size_t a, std::size_t b, d
 }
 
 double Relaxation::conflicts(const RingState& ring) const {
-  return conflicts_[ring.ring] + kOfThePair * pair_conflicts_[pair_of(ring)];
+  return conflicts_.of_rings[ring.ring] + kOfThePair * conflicts_.of_pairs[pair_of(ring)];
 }
 
 void Relaxation::begin_at(Node& node) {

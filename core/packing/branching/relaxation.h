@@ -34,6 +34,17 @@ struct Work {
   Work& operator+=(const Work& other);
 };
 
+// How often looks have found that no layout is left.
+struct Conflicts {
+  std::vector<std::uint32_t> of_rings;  // by ring of the problem
+  std::vector<std::uint32_t> of_pairs;  // by pair of bodies, the world included
+
+  explicit Conflicts(const Problem& problem)
+      : of_rings(problem.rings.size()), of_pairs((problem.bodies.size() + 1) * (problem.bodies.size() + 1)) {}
+  // Adds those by which `now` exceeds `before`.
+  void add_since(const Conflicts& before, const Conflicts& now);
+};
+
 // The columns of a problem's programs: the least positions, and a scale at which the room is about 1 wide.
 [[nodiscard]] Columns columns_of(const Problem& problem);
 
@@ -58,6 +69,8 @@ class Relaxation {
   // How often a look at the ring has found that, plus a part of how often looks at the other rings of the two bodies
   // have, those in other orientations included.
   [[nodiscard]] double conflicts(const RingState& ring) const;
+  [[nodiscard]] const Conflicts& all_conflicts() const { return conflicts_; }
+  void learn(const Conflicts& conflicts) { conflicts_ = conflicts; }
   // Decisions count from this node on: what is known at it holds anyway.
   void begin_at(Node& node);
 
@@ -71,6 +84,10 @@ class Relaxation {
   [[nodiscard]] const Columns& columns() const { return columns_; }
   // The depth at which a solution counts as inside a ring; lattice units.
   [[nodiscard]] double tolerance() const { return tuning_.tolerance / columns_.scale; }
+
+  // A copy of the node, in the memory of one that was given back.
+  [[nodiscard]] Node copy(const Node& node);
+  void give_back(Node node);
 
   [[nodiscard]] std::size_t hulls() const { return hulls_.size(); }
   void forget_hulls_from(std::size_t size) { hulls_.resize(size); }
@@ -99,10 +116,10 @@ class Relaxation {
   [[nodiscard]] bool violates_bounds(const Node& node, std::uint32_t a, double least) const;
   [[nodiscard]] bool add_violated_bounds(Node& node);
   [[nodiscard]] bool add_violated_hull(Node& node, RingState& ring);
-  [[nodiscard]] Ranges ranges(const Node& node) const;
+  [[nodiscard]] const Ranges& ranges(const Node& node);
   [[nodiscard]] bool is_refuted(const Node& node);
   [[nodiscard]] bool is_too_long(const Node& node);
-  void raise_bound(Node& node) const;
+  void raise_bound(Node& node);
 
   const Problem* problem_;
   BranchTuning tuning_;
@@ -111,10 +128,12 @@ class Relaxation {
   Reasons conflict_{};
   std::vector<RealBox> wide_;  // where the bodies can be anyway; none before the first node
   std::vector<HalfPlane> hulls_;
-  std::vector<RealVec> points_;                // of the cells last gathered
-  std::vector<RealVec> positions_;             // of the bodies and the world, at the solution
-  std::vector<std::uint32_t> conflicts_;       // by ring of the problem
-  std::vector<std::uint32_t> pair_conflicts_;  // by pair of bodies, the world included
+  std::vector<RealVec> points_;     // of the cells last gathered
+  std::vector<HalfPlane> chords_;   // of the box in which they lie
+  std::vector<RealVec> positions_;  // of the bodies and the world, at the solution
+  Conflicts conflicts_;
+  std::vector<Node> spare_;  // nodes that were given back
+  Ranges ranges_;            // of the node last proved something of
   Work work_;
 };
 

@@ -110,8 +110,8 @@ bool Relaxation::look(Node& node, RingState& ring) {
   if (ring.arc.count != count) ring.why = why;
   // Differences are whole, so the box may be rounded inwards, as far as clipping is exact.
   if (!found || !raise_to(node, ring, whole_within(*found), why)) {
-    ++conflicts_[ring.ring];
-    ++pair_conflicts_[pair_of(ring)];
+    ++conflicts_.of_rings[ring.ring];
+    ++conflicts_.of_pairs[pair_of(ring)];
     return false;
   }
   ring.looked_at = pair_box(node, ring);

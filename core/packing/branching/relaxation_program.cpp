@@ -5,51 +5,43 @@
 #include <utility>
 
 #include "core/packing/branching/relaxation.h"
+#include "core/packing/cells/box_sides.h"
 #include "core/packing/cells/hull.h"
 
 namespace selvage::packing::branching {
-namespace {
 
-// The least and the largest of some numbers.
-struct SideExtent {
-  double least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
-  void include(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  template <class Visit>
-  void for_both(const Visit& visit) const {
-    if (least > most) return;
-    visit(least);
-    if (most > least) visit(most);
-  }
-};
-
-}  // namespace
+using cells::BoxSides;
 
 // The corners of the arc's cells that can be corners of their hull: of those on one side of the box, only the two
-// outermost.
+// outermost.  The cells at the arc's ends and the free corners of the box mostly span a hull that has all other cells
+// in it, which are then not clipped.
 void Relaxation::gather(const RingState& ring, const RealBox& box) {
   const WedgeRing& wedges = problem_->rings[ring.ring];
   points_.clear();
-  SideExtent left, right, bottom, top;
-  const auto take = [&](RealVec p) {
-    if (p.x == box.low_x) return left.include(p.y);
-    if (p.x == box.high_x) return right.include(p.y);
-    if (p.y == box.low_y) return bottom.include(p.x);
-    if (p.y == box.high_y) return top.include(p.x);
-    points_.push_back(p);
+  BoxSides sides{box};
+  const auto take = [&](std::uint32_t k) {
+    Cell cell;
+    if (!wedges.clip((ring.arc.first + k) % wedges.size(), box, cell)) return;
+    for (std::size_t c = 0; c < cell.count; ++c) {
+      if (!sides.include(cell.corner(c))) points_.push_back(cell.corner(c));
+    }
   };
-  Cell cell;
   const auto [first, end] = wedges.part_facing(ring.arc, box);
-  for (std::uint32_t k = first; k < end; ++k) {
-    if (!wedges.clip((ring.arc.first + k) % wedges.size(), box, cell)) continue;
-    for (std::size_t c = 0; c < cell.count; ++c) take(cell.corner(c));
+  if (first < end) take(first);
+  if (first + 1 < end) take(end - 1);
+  if (first + 2 < end) {
+    for (const RealVec corner : corners_of(box)) {
+      const std::uint32_t facing = wedges.facing(corner);
+      const std::uint32_t k = (facing + wedges.size() - ring.arc.first) % wedges.size();
+      if (k < ring.arc.count && wedges.depth(facing, corner) <= 0) (void)sides.include(corner);
+    }
+    const bool spanned = sides.set_chords(chords_);
+    for (std::uint32_t k = first + 1; k + 1 < end; ++k) {
+      const std::uint32_t wedge = (ring.arc.first + k) % wedges.size();
+      if (!spanned || !wedges.lies_within(wedge, chords_)) take(k);
+    }
   }
-  left.for_both([&](double y) { points_.push_back({box.low_x, y}); });
-  right.for_both([&](double y) { points_.push_back({box.high_x, y}); });
-  bottom.for_both([&](double x) { points_.push_back({x, box.low_y}); });
-  top.for_both([&](double x) { points_.push_back({x, box.high_y}); });
+  sides.append_corners(points_);
 }
 
 void Relaxation::make_hull(const Node& node, RingState& ring) {
@@ -63,18 +55,21 @@ void Relaxation::make_hull(const Node& node, RingState& ring) {
   ring.hull_end = static_cast<std::uint32_t>(hulls_.size());
 }
 
-Ranges Relaxation::ranges(const Node& node) const {
-  Ranges all{{}, columns_.low_length, ceiling_};
+const Ranges& Relaxation::ranges(const Node& node) {
+  ranges_.bodies.clear();
+  ranges_.why.clear();
+  ranges_.low_length = columns_.low_length;
+  ranges_.high_length = ceiling_;
   const std::size_t world = problem_->world();
   for (std::size_t body = 0; body < world; ++body) {
-    all.bodies.push_back(
+    ranges_.bodies.push_back(
         {node.x.lower(world, body), node.y.lower(world, body), node.x.upper(world, body), node.y.upper(world, body)});
     if (wide_.empty()) continue;
-    all.why.push_back({node.x.why_lower(world, body), node.y.why_lower(world, body), node.x.why_upper(world, body),
-                       node.y.why_upper(world, body)});
+    ranges_.why.push_back({node.x.why_lower(world, body), node.y.why_lower(world, body), node.x.why_upper(world, body),
+                           node.y.why_upper(world, body)});
   }
-  all.wide = wide_;
-  return all;
+  ranges_.wide = wide_;
+  return ranges_;
 }
 
 // Whether the solution violates, by more than `least`, a bound on how far another body is ahead of body `a`.
@@ -157,7 +152,7 @@ void Relaxation::start_program(Node& node) {
 }
 
 bool Relaxation::is_refuted(const Node& node) {
-  const Ranges all = ranges(node);
+  const Ranges& all = ranges(node);
   const auto multipliers = node.program.refuting();
   if (!refutes(multipliers, all)) return false;
   conflict_ = why_refuted(multipliers, all);
@@ -165,15 +160,15 @@ bool Relaxation::is_refuted(const Node& node) {
 }
 
 bool Relaxation::is_too_long(const Node& node) {
-  const Ranges all = ranges(node);
+  const Ranges& all = ranges(node);
   const auto multipliers = node.program.bounding();
   if (least_length(multipliers, all) <= ceiling_) return false;
   conflict_ = why_longer(multipliers, all, ceiling_);
   return true;
 }
 
-void Relaxation::raise_bound(Node& node) const {
-  const Ranges all = ranges(node);
+void Relaxation::raise_bound(Node& node) {
+  const Ranges& all = ranges(node);
   const auto multipliers = node.program.bounding();
   const double least = least_length(multipliers, all);
   if (least <= node.bound) return;

@@ -21,7 +21,8 @@ class Rounds {
         gap_{gap},
         limits_{limits},
         tuning_{tuning},
-        calls_{calls} {}
+        calls_{calls},
+        learnt_{problem} {}
 
   SearchOutcome run(const Vicinity* vicinity) {
     const bool possible = std::none_of(problem_.bodies.begin(), problem_.bodies.end(),
@@ -65,9 +66,12 @@ class Rounds {
     const std::uint64_t left = limits_.nodes - outcome_.work.nodes;
     const std::uint64_t burst = spreading ? 1 : std::clamp<std::uint64_t>(left / count, 1, tuning_.burst);
     sort_most_promising(count);
+    const bool learns = !problem_.minimises_length;
+    for (std::size_t k = 0; learns && k < count; ++k) open_[k].learn(learnt_);
     const Executor& executor = count > 1 ? *calls_.executor : serial();
     executor.for_each(count, [&](std::size_t k) { open_[k].explore(burst, gap_, calls_.place_leaf, calls_.stop); });
     for (std::size_t k = 0; k < count && !answered_; ++k) collect(open_[k]);
+    if (learns) learn_from(count);
     if (spreading) spread(0);
     std::erase_if(open_, [](const Subtree& subtree) { return subtree.done(); });
     for (Subtree& subtree : open_) subtree.lower_ceiling(ceiling_);
@@ -103,6 +107,12 @@ class Rounds {
     closed_at_ = std::min({closed_at_, subtree.ceiling(), subtree.undecided(), ceiling_});
   }
 
+  // Adds the conflicts of the round in the first subtrees.
+  void learn_from(std::size_t count) {
+    const Conflicts before = learnt_;
+    for (std::size_t k = 0; k < count; ++k) learnt_.add_since(before, open_[k].conflicts());
+  }
+
   // Makes every open node of a subtree a subtree of its own.
   void spread(std::size_t k) {
     const double ceiling = open_[k].ceiling();
@@ -119,6 +129,7 @@ class Rounds {
   const SearchCalls& calls_;
   std::vector<Subtree> open_;
   bool answered_{};
+  Conflicts learnt_;  // in all subtrees so far
   SearchOutcome outcome_;
 };
 

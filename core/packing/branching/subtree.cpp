@@ -32,6 +32,7 @@ void Subtree::explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_le
     } else if (expand(node, gap, place_leaf)) {
       return;
     }
+    relaxation_.give_back(std::move(node));
   }
 }
 

@@ -33,6 +33,8 @@ class Subtree {
   // length; otherwise the exploration stops there.
   void explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_leaf, const std::stop_token& stop);
   void lower_ceiling(double ceiling);
+  [[nodiscard]] const Conflicts& conflicts() const { return relaxation_.all_conflicts(); }
+  void learn(const Conflicts& conflicts) { relaxation_.learn(conflicts); }
 
   [[nodiscard]] bool done() const { return stack_.empty(); }
   [[nodiscard]] std::uint64_t explored() const { return explored_; }  // nodes so far

@@ -87,29 +87,42 @@ HalfPlane beside_ray(RealVec centre, RealVec corner, double side, double slack) 
   return {nx, ny, nx * centre.x + ny * centre.y - kLineSlack};
 }
 
-// The part of `cell` in the half-plane.
-void clip_into(const Cell& cell, const HalfPlane& plane, Cell& kept) {
+// How the corners of a cell lie to a half-plane.
+struct CornerRooms {
+  std::array<double, 8> room;
+  std::uint32_t outside{};  // one bit for each corner
+};
+CornerRooms corner_rooms(const Cell& cell, const HalfPlane& plane) {
+  CornerRooms rooms;
+  for (std::size_t k = 0; k < cell.count; ++k) {
+    rooms.room[k] = plane.room(cell.corner(k));
+    rooms.outside |= static_cast<std::uint32_t>(!(rooms.room[k] >= 0)) << k;
+  }
+  return rooms;
+}
+
+// The part of `cell` in the half-plane, on whose sides it has corners.
+void clip_into(const Cell& cell, const CornerRooms& rooms, Cell& kept) {
   kept.count = 0;
   const auto keep = [&](double x, double y) {
     kept.x[kept.count] = x;
     kept.y[kept.count++] = y;
   };
-  double px = cell.x[cell.count - 1];
-  double py = cell.y[cell.count - 1];
-  double room_p = plane.room({px, py});
-  for (std::size_t k = 0; k < cell.count; ++k) {
-    const double qx = cell.x[k];
-    const double qy = cell.y[k];
-    const double room_q = plane.room({qx, qy});
-    if ((room_p >= 0) != (room_q >= 0)) {
-      const double t = room_p / (room_p - room_q);
-      keep(px + t * (qx - px), py + t * (qy - py));
+  std::size_t p = cell.count - 1;
+  for (std::size_t q = 0; q < cell.count; p = q++) {
+    const bool is_in = (rooms.outside >> q & 1U) == 0;
+    if (is_in != ((rooms.outside >> p & 1U) == 0)) {
+      const double t = rooms.room[p] / (rooms.room[p] - rooms.room[q]);
+      keep(cell.x[p] + t * (cell.x[q] - cell.x[p]), cell.y[p] + t * (cell.y[q] - cell.y[p]));
     }
-    if (room_q >= 0) keep(qx, qy);
-    px = qx;
-    py = qy;
-    room_p = room_q;
+    if (is_in) keep(cell.x[q], cell.y[q]);
   }
+}
+
+// A non-negative angle without its full turns.
+double within_turn(double angle) {
+  while (angle >= geometry::kFullTurn) angle -= geometry::kFullTurn;
+  return angle;
 }
 
 // How far the common corner of two edges may be from the exact one.
@@ -191,20 +204,23 @@ bool WedgeRing::clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const 
   Cell other;
   Cell* from = &cell;
   Cell* into = &other;
+  // False when nothing is left.
   const auto cut = [&](const HalfPlane& plane, double least) {
-    if (least >= 0 || from->count == 0) return;
-    clip_into(*from, plane, *into);
+    if (least >= 0) return true;
+    const CornerRooms rooms = corner_rooms(*from, plane);
+    if (rooms.outside == 0) return true;
+    if (rooms.outside == (1U << from->count) - 1) return false;
+    clip_into(*from, rooms, *into);
     std::swap(from, into);
+    return true;
   };
-  cut(w.beyond, beyond.least);
-  cut(w.after, after.least);
-  cut(w.before, before.least);
+  if (!cut(w.beyond, beyond.least) || !cut(w.after, after.least) || !cut(w.before, before.least)) return false;
   if (from != &cell) {
     std::copy_n(other.x.begin(), other.count, cell.x.begin());
     std::copy_n(other.y.begin(), other.count, cell.y.begin());
     cell.count = other.count;
   }
-  return cell.count > 0;
+  return true;
 }
 
 // If both ends of the edge lie on the same side of the centre along an axis, then so does the whole wedge, and no point
@@ -214,6 +230,20 @@ bool WedgeRing::lies_within(std::uint32_t wedge, const RealBox& box, const RealB
   const RealVec b = corners_[next(wedge)];
   return are_within(a.x, b.x, centre_.x, box.low_x, box.high_x, part.low_x, part.high_x) &&
          are_within(a.y, b.y, centre_.y, box.low_y, box.high_y, part.low_y, part.high_y);
+}
+
+// A point of the wedge is  centre + s (a - centre) + t (b - centre)  with the edge's ends a and b, s and t >= 0 and
+// s + t >= 1: its room in a half-plane without the centre is at least the lesser one of a and b, when that is positive.
+// The wedge's sides are up to kRaySlack farther out at these ends, and its line is up to two units nearer to the centre
+// than they are: of the centre's distance from the line, that part may be missing from s + t.
+bool WedgeRing::lies_within(std::uint32_t wedge, std::span<const HalfPlane> planes) const {
+  constexpr double kMargin = 4 * kRaySlack;
+  const double height = depth(wedge, centre_);
+  return height > 2 * kLeastRadius && std::ranges::all_of(planes, [&](const HalfPlane& plane) {
+           const double centre = plane.room(centre_);
+           const double least = std::min(plane.room(corners_[wedge]), plane.room(corners_[next(wedge)])) - kMargin;
+           return centre <= 0 && least * height >= kMargin * -centre && least >= 0;
+         });
 }
 
 // The wedges that rays to the box pass.
@@ -235,9 +265,7 @@ Arc WedgeRing::facing_box(const RealBox& box) const {
     last = std::max(last, way);
   }
   if (last - first + 2 * angle_slack_ > kMostOpening) return whole();
-  const auto at = [&](double angle) {
-    return corner_before(std::fmod(angle + geometry::kFullTurn, geometry::kFullTurn));
-  };
+  const auto at = [&](double angle) { return corner_before(within_turn(angle + geometry::kFullTurn)); };
   const std::uint32_t begin = at(middle + first - angle_slack_);
   const std::uint32_t end = at(middle + last + angle_slack_);
   return {begin, (end + size() - begin) % size() + 1};
@@ -255,13 +283,13 @@ WedgeRing::Part WedgeRing::part_facing(Arc arc, const RealBox& box) const {
 }
 
 std::size_t WedgeRing::sector_of(double angle) const {
-  const auto sector = static_cast<std::size_t>(angle * (static_cast<double>(angles_.size()) / geometry::kFullTurn));
-  return std::min(sector, angles_.size() - 1);
+  const auto sector = static_cast<std::size_t>(angle * (static_cast<double>(sector_count()) / geometry::kFullTurn));
+  return std::min(sector, sector_count() - 1);
 }
 
 void WedgeRing::set_sectors() {
   for (std::uint32_t k = 0; k < size(); ++k) sectors_.resize(sector_of(angles_[k]) + 1, k);
-  sectors_.resize(size(), size());
+  sectors_.resize(sector_count(), size());
 }
 
 std::uint32_t WedgeRing::corner_before(double angle) const {
@@ -281,11 +309,11 @@ std::uint32_t WedgeRing::corner_near(RealVec p, int quarters) const {
   const double y = p.y - centre_.y;
   const double full = geometry::kFullTurn;
   const double own = x == 0 && y == 0 ? 0 : geometry::pseudo_angle(x, y);
-  const double angle = std::fmod(own + quarters, full);
+  const double angle = within_turn(own + quarters);
   const std::uint32_t before = corner_before(angle);
   const std::uint32_t after = (before + 1) % size();
-  const double back = std::fmod(angle - angles_[before] + full, full);
-  const double ahead = std::fmod(angles_[after] - angle + full, full);
+  const double back = within_turn(angle - angles_[before] + full);
+  const double ahead = within_turn(angles_[after] - angle + full);
   return back <= ahead ? before : after;
 }
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/geometry/real_vec.h"
@@ -70,6 +71,8 @@ class WedgeRing {
   [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
   // Whether the part of `box` in a wedge lies in `part` for sure, a part of the box: cheaper than clipping.
   [[nodiscard]] bool lies_within(std::uint32_t wedge, const RealBox& box, const RealBox& part) const;
+  // Whether a wedge lies in all the half-planes for sure, whose borders separate it from the centre.
+  [[nodiscard]] bool lies_within(std::uint32_t wedge, std::span<const HalfPlane> planes) const;
   // The part of an arc that rays to the box pass: in its other wedges the box has no position.  Counted from the arc's
   // first wedge, and where the part of a whole ring goes on beyond the last one, `end` is more than its size.
   struct Part {
@@ -115,6 +118,7 @@ class WedgeRing {
   };
   // The last corner whose angle is not more, or else the last of all.
   [[nodiscard]] std::uint32_t corner_before(double angle) const;
+  [[nodiscard]] std::size_t sector_count() const { return 4 * angles_.size(); }
   [[nodiscard]] std::size_t sector_of(double angle) const;
   void set_sectors();
   [[nodiscard]] Arc facing_box(const RealBox& box) const;
@@ -123,7 +127,7 @@ class WedgeRing {
   std::vector<Wedge> wedges_;     // counter-clockwise
   std::vector<RealVec> corners_;  // at each wedge's start
   std::vector<double> angles_;    // of these corners; ascending
-  // The full turn in as many equal sectors as there are corners: the first corner that lies in each or behind it.
+  // The full turn in four equal sectors for each corner: the first corner that lies in each or behind it.
   std::vector<std::uint32_t> sectors_;
   double angle_slack_{};  // by which one of these angles may be wrong
   RealBox box_;

@@ -48,6 +48,13 @@ Guesser::Guesser(const Problem& problem) : problem_{&problem}, bodies_{problem.b
     boxes_.push_back(ring->box());
     sizes_.push_back(size_of(*ring));
   }
+  for (std::uint32_t body = 0; body < bodies_; ++body) {
+    for (std::uint32_t variant = 0; variant < problem.bodies[body].variants.size(); ++variant) {
+      const Rings fixed = between(chosen_ - 1, chosen(body, variant));
+      fixed_.emplace_back(problem.bodies[body].variants[variant].range,
+                          std::span{boxes_}.subspan(fixed.first, fixed.end - fixed.first));
+    }
+  }
   ring_weights_.resize(rings_.size(), 1.0);
   pair_weights_.resize(bodies_ * bodies_, 1.0);
 }
@@ -79,8 +86,9 @@ double Guesser::pair_depth(std::size_t a, std::size_t b, RealVec way) const {
 double Guesser::loss(std::size_t body, const Placed& placed, double bound) const {
   const std::size_t own = chosen(body, placed.variant);
   double sum = 0;
-  const Rings fixed = between(chosen_ - 1, own);
-  for (std::uint32_t k = fixed.first; k < fixed.end; ++k) {
+  const std::uint32_t first = between(chosen_ - 1, own).first;
+  for (const std::uint32_t near : fixed_[own].near(placed.at)) {
+    const std::uint32_t k = first + near;
     const double found = depth(k, placed.at);
     if (found > 0) sum += ring_weights_[k] * found;
     if (sum >= bound) return sum;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/packing/branching/problem.h"
+#include "core/packing/guessing/ring_grid.h"
 
 namespace selvage::packing::guessing {
 
@@ -70,6 +71,7 @@ class Guesser {
   std::vector<const cells::WedgeRing*> rings_;  // of the problem, those of a pair one after another
   std::vector<cells::RealBox> boxes_;           // by ring: most rings are far from most positions
   std::vector<double> sizes_;                   // by ring
+  std::vector<RingGrid> fixed_;                 // by body and variant: the rings of fixed pieces, from the first one on
   std::vector<double> ring_weights_;            // by ring: of fixed pieces
   std::vector<double> pair_weights_;            // by two bodies
   std::vector<Placed> placed_;

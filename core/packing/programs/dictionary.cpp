@@ -152,6 +152,7 @@ void Dictionary::forget_why() {
 
 std::vector<Dictionary::Multiplier> Dictionary::bounding() const {
   std::vector<Multiplier> multipliers;
+  multipliers.reserve(columns_);
   for (std::size_t j = 0; j < columns_; ++j) {
     if (free_[j].column < 0 && cost_[j] > 0) multipliers.push_back({free_[j].row, cost_[j]});
   }
@@ -160,6 +161,7 @@ std::vector<Dictionary::Multiplier> Dictionary::bounding() const {
 
 std::vector<Dictionary::Multiplier> Dictionary::refuting() const {
   std::vector<Multiplier> multipliers;
+  multipliers.reserve(columns_ + 1);
   const double* const from = row(refuted_);
   for (std::size_t j = 0; j < columns_; ++j) {
     if (free_[j].column < 0 && from[j] < 0) multipliers.push_back({free_[j].row, -from[j]});
