@@ -1,10 +1,12 @@
 """Makes the markers that the measurement of remaking needs, once, and stores them.
 
-Stored markers: garments nested from nothing for about a minute, or the jeans that sparrow laid out in 260 seconds; then accuracy
-`fine`.  For orders of other size mixes there are five of them, each of a mix of its own; and so are those of orders that differ by
+Stored markers: garments nested from nothing for a minute of processor time, like the orders that another nester gets, or the
+jeans that sparrow laid out in 260 seconds; then accuracy `fine`.  With a limit on time the nester compares more starts than with
+one on moves, and a marker that is made anew may differ.  For orders of other size mixes there are five of them, each of a mix of its own; and so are those of orders that differ by
 their stored marker alone.
 """
 import json
+import os
 import pathlib
 import resource
 import subprocess
@@ -16,9 +18,10 @@ EXAMPLES = ROOT / "examples" / "markers"
 sys.path.insert(0, str(ROOT / "bench" / "nesting"))
 import race as nesters  # noqa: E402
 
-# Of a stored marker, and of an order to compare with: about 60 s.  The many markers of other mixes whose pieces are then made
-# larger have a tenth of that, and the best known marker is nested on for as long.
-MOVES, FEW_MOVES = 600_000, 60_000
+# Of a stored marker, and of an order to compare with.  The many markers of other mixes whose pieces are then made larger have a
+# tenth of that.
+SECONDS, FEW_SECONDS = 60, 6
+MOVES_ON = 60_000  # by which the best known marker is nested on
 MIXES = range(1001, 1006)  # the seeds of the stored mixes; the seeds of orders are smaller
 SPREAD_MIXES = range(2001, 2015)  # of each garment
 # Garments of the table, and instances of the literature, on which remaking was never tuned.
@@ -38,13 +41,21 @@ def source_of(options, garment):
     raise FileNotFoundError(garment)
 
 
-def nested(options, order, name, moves=MOVES):
+def nest(options, order, seconds, out):
+    """Nests the order from nothing, by the clock of the processor, and returns what the command prints."""
+    command = [options.programs / "selvage", "nest", order, "--from-scratch", "--time", seconds, "--seed", 1, "--json", "-o", out,
+               "--format", "native"]
+    environment = {**os.environ, "LD_PRELOAD": str(nesters.clock_of(options.kept))}
+    return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, env=environment).stdout
+
+
+def nested(options, order, name, seconds=SECONDS):
     """The order nested from nothing and refined."""
     path = options.kept / "stored" / f"{name}.json"
     if not path.exists():
         path.parent.mkdir(parents=True, exist_ok=True)
         start = options.kept / "start.json"
-        run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", moves, "--format", "native", "-o", start)
+        nest(options, order, seconds, start)
         run(options.programs / "selvage", "compact", start, "--accuracy", "fine", "--format", "native", "-o", path)
     return path
 
@@ -86,8 +97,8 @@ def order_source(options, garment, change):
     """The arguments of remake_orders: the garment, and the stored markers if they are not the garment's own."""
     if "-mix-" in garment:
         garment, seed = garment.split("-mix-")
-        moves = FEW_MOVES if int(seed) in SPREAD_MIXES else MOVES
-        return [nested(options, order_file(options, garment, "mixed", 0, seed), f"{garment}-mix-{seed}", moves)]
+        seconds = FEW_SECONDS if int(seed) in SPREAD_MIXES else SECONDS
+        return [nested(options, order_file(options, garment, "mixed", 0, seed), f"{garment}-mix-{seed}", seconds)]
     if change != "mixed":
         return [stored_marker(options, garment)]
     stored = [nested(options, order_file(options, garment, change, 0, seed), f"{garment}-mix-{seed}") for seed in MIXES]
@@ -102,7 +113,7 @@ def best_known(options):
         library, start = options.kept / "library", options.kept / "start.json"
         run(selvage, "library", "add", library, stored_marker(options, "jeans_02g"))
         run(selvage, "remake", order, "--library", library, "--fine", "--format", "native", "-o", start)
-        run(selvage, "nest", start, "--moves", FEW_MOVES, "--format", "native", "-o", start)
+        run(selvage, "nest", start, "--moves", MOVES_ON, "--format", "native", "-o", start)
         run(selvage, "compact", start, "--accuracy", "fine", "--format", "native", "-o", path)
     return path
 
@@ -117,7 +128,7 @@ def mix_from_nothing(options, seed):
         kept.parent.mkdir(exist_ok=True)
         order, out = order_file(options, "charlie_04g", "mixed", 0, seed), options.kept / "mix.json"
         begin = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        output = run(options.programs / "selvage", "nest", order, "--from-scratch", "--moves", MOVES, "--json", "-o", out)
+        output = nest(options, order, SECONDS, out)
         seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - begin
         kept.write_text(json.dumps({"utilisation": json.loads(output)["utilisation_after"], "seconds": seconds}), "utf-8")
     return json.loads(kept.read_text("utf-8"))

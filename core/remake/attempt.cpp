@@ -57,12 +57,14 @@ class Attempting {
     return {std::move(attempt_), std::move(marker_), std::move(draft.marker)};
   }
 
-  Attempt finish(Draft draft, bool search) {
+  Attempt finish(Draft draft, Search search) {
     attempt_ = std::move(draft.attempt);
     if (!draft.marker) return std::move(attempt_);
     marker_ = *std::move(draft.marker);
-    if (search && !run_.stopped()) rearrange(draft.loose ? *std::move(draft.loose) : marker_);
-    if (search && settings_.trims && !run_.stopped()) move_trims();
+    if (search != Search::kNone && !run_.stopped()) {
+      rearrange(draft.loose ? *std::move(draft.loose) : marker_, moves_of(search));
+    }
+    if (search == Search::kWhole && settings_.trims && !run_.stopped()) move_trims();
     if (settings_.fine && !run_.stopped()) refine();
     conclude();
     return std::move(attempt_);
@@ -124,10 +126,18 @@ class Attempting {
     return true;
   }
 
+  [[nodiscard]] std::uint64_t moves_of(Search search) const {
+    const RemakeTuning& tuning = settings_.tuning;
+    const std::uint64_t pieces = std::max<std::uint64_t>(tuning.fewest_pieces, marker_.pieces.size());
+    if (search == Search::kShort) return tuning.short_work / pieces;
+    return std::max(tuning.moves_per_piece * pieces, tuning.work / pieces);
+  }
+
   // A short search for a shorter marker: separation pays with length, and pieces at the end may belong into gaps.
-  void rearrange(Marker from) {
+  void rearrange(Marker from, std::uint64_t moves) {
     nesting::NestSettings settings;
-    settings.moves = settings_.tuning.moves_per_piece * marker_.pieces.size();
+    settings.moves = moves;
+    settings.tuning.bold_patience = settings_.tuning.bold_patience;
     settings.tuning.first_step = settings_.tuning.first_step;
     settings.tuning.search.stretch = settings_.tuning.stretch;
     settings.turn = false;
@@ -193,16 +203,15 @@ Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSett
   return Attempting{order, settings, run}.draft(candidate);
 }
 
-bool is_near_enough(const Draft& draft, const AttemptSettings& settings) {
-  if (!draft.attempt.marker) return false;
-  return utilisation_of(*draft.attempt.marker) >= draft.attempt.used - settings.tuning.near_enough;
+double loss_of(const Draft& draft) {
+  return draft.attempt.marker ? draft.attempt.used - utilisation_of(*draft.attempt.marker) : 1;
 }
 
 Draft tilted(const Marker& order, Draft draft, const AttemptSettings& settings, const scene::Run& run) {
   return Attempting{order, settings, run}.tilted(std::move(draft));
 }
 
-Attempt finished(const Marker& order, Draft draft, bool search, const AttemptSettings& settings,
+Attempt finished(const Marker& order, Draft draft, Search search, const AttemptSettings& settings,
                  const scene::Run& run) {
   return Attempting{order, settings, run}.finish(std::move(draft), search);
 }

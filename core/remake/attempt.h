@@ -74,11 +74,17 @@ struct Draft {
                             const scene::Run& run);
 // The draft with small tilts, where they shorten its marker; once they were tried, they are not tried again.
 [[nodiscard]] Draft tilted(const Marker& order, Draft draft, const AttemptSettings& settings, const scene::Run& run);
-// `search`: whether a shorter marker is searched for, and trims are moved.
-[[nodiscard]] Attempt finished(const Marker& order, Draft draft, bool search, const AttemptSettings& settings,
+// How a draft is finished.
+enum class Search {
+  kNone,
+  kShort,  // a few moves
+  kWhole,  // as many as the number of pieces demands; then trims are moved
+};
+[[nodiscard]] Attempt finished(const Marker& order, Draft draft, Search search, const AttemptSettings& settings,
                                const scene::Run& run);
 
-// Whether the draft's marker uses the cloth nearly as well as the stored one (RemakeTuning::near_enough).
-[[nodiscard]] bool is_near_enough(const Draft& draft, const AttemptSettings& settings);
+// By how much less the draft's marker uses the cloth than the stored one, 1 when it has no marker; below 0 when it uses
+// it better.
+[[nodiscard]] double loss_of(const Draft& draft);
 
 }  // namespace selvage::remake

@@ -76,7 +76,7 @@ class Trying {
     drafts_.resize(candidates_.size());
     if (!drafts_.empty()) {
       draft(0, run_);
-      if (!settings_.thorough && !near_enough(0)) tilt(0, run_);
+      if (!settings_.thorough && !as_good(0)) tilt(0, run_);
     }
     if (settings_.thorough || drafts_.empty() || !near_enough(0)) {
       for_each(1, [this](std::size_t k, const scene::Run& run) { draft(k, run); });
@@ -84,11 +84,11 @@ class Trying {
     if (settings_.thorough) {
       for_each(0, [this](std::size_t k, const scene::Run& run) {
         tilt(k, run);
-        finish(k, true, run);
+        finish(k, Search::kWhole, run);
       });
     } else if (const auto best = shortest()) {
-      if (!near_enough(*best)) tilt(*best, run_);
-      finish(*best, !near_enough(*best), run_);
+      if (!as_good(*best)) tilt(*best, run_);
+      finish(*best, as_good(*best) ? Search::kNone : near_enough(*best) ? Search::kShort : Search::kWhole, run_);
     }
     std::vector<Attempt> attempts;
     for (Draft& draft : drafts_) {
@@ -115,12 +115,17 @@ class Trying {
     drafts_[k] = tilted(order_, std::move(drafts_[k]), settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
   }
-  void finish(std::size_t k, bool search, const scene::Run& run) {
+  void finish(std::size_t k, Search search, const scene::Run& run) {
     if (run_.stopped()) return;
     drafts_[k].attempt = finished(order_, std::move(drafts_[k]), search, settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
   }
-  [[nodiscard]] bool near_enough(std::size_t k) const { return is_near_enough(drafts_[k], settings_.attempt); }
+  [[nodiscard]] bool near_enough(std::size_t k) const {
+    return loss_of(drafts_[k]) <= settings_.attempt.tuning.near_enough;
+  }
+  [[nodiscard]] bool as_good(std::size_t k) const {
+    return near_enough(k) && loss_of(drafts_[k]) <= settings_.attempt.tuning.as_good;
+  }
   [[nodiscard]] std::optional<std::size_t> shortest() const {
     std::optional<std::size_t> best;
     for (std::size_t k = 0; k < drafts_.size(); ++k) {

@@ -38,12 +38,18 @@ struct RemakeTuning {
   double search_growth{0.015};  // part of its length by which the marker grows before each of
   int searches{12};             // this many searches
   // Afterwards:
-  int tilt_rounds{4};                 // of small tilts: the first ones give nearly all of what many would
-  double near_enough{0.01};           // utilisation below that of the stored marker at which no better one is sought
-  std::uint64_t moves_per_piece{40};  // of the search for a shorter marker
-  double first_step{0.01};            // part of its length by which this search shortens the marker at first
-  double stretch{2};                  // of this search and the one above: nesting::local_search::SearchTuning::stretch
-  std::uint64_t trim_trials{2};       // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
+  int tilt_rounds{4};        // of small tilts: the first ones give nearly all of what many would
+  double near_enough{0.01};  // utilisation below that of the stored marker at which no other one is tried,
+  double as_good{0.003};     // and at which this one is neither tilted nor searched
+  // The search for a shorter marker, from a draft that is not near enough: its moves for each piece, and its work at
+  // least, in moves times pieces, because a move takes longer the more pieces there are.  From a draft that is near
+  // enough: all its work.
+  std::uint64_t moves_per_piece{40}, work{400'000}, short_work{100'000};
+  std::uint64_t fewest_pieces{25};  // orders of fewer are searched as if they had as many
+  std::size_t bold_patience{30};    // nesting::NestTuning::bold_patience of this search
+  double first_step{0.01};          // part of its length by which this search shortens the marker at first
+  double stretch{2};                // of this search and the one above: nesting::local_search::SearchTuning::stretch
+  std::uint64_t trim_trials{2};     // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
   friend bool operator==(const RemakeTuning&, const RemakeTuning&) = default;
 };
 

@@ -60,10 +60,11 @@ struct RemakeParams {
                "True: choose the stored piece for each piece by shape alone. False: names and sizes count, too, where "
                "both pieces have them.");
     v.optional("single", self.single, "True: use only one stored marker at a time; never put two of them end to end.");
-    v.optional("thorough", self.thorough,
-               "True: make all tries, and search for a shorter marker in each. False: take the first result whose "
-               "utilisation is at most one point below that of the stored marker; if there is none, search for a "
-               "shorter marker in the best result only.");
+    v.optional(
+        "thorough", self.thorough,
+        "True: make all tries, and search for a shorter marker in each. False: make no further try after a first "
+        "result whose utilisation is at most one point below that of the stored marker, and search for a "
+        "shorter marker in the best result only.");
     v.optional("keepTrims", self.keep_trims,
                "True: after the search for a shorter marker, do not move small pieces into gaps.");
     v.optional("fine", self.fine, "Whether the result is refined by the search of accuracy fine.");

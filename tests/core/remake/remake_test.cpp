@@ -172,7 +172,7 @@ TEST(Remake, EndsWithSmallTiltsThatBringTheFirstTryNearEnough) {
   RemakeSettings settings;
   settings.tries = 1;
   settings.attempt.tuning.near_enough = -1;
-  settings.attempt.tuning.moves_per_piece = 0;
+  settings.attempt.tuning.moves_per_piece = settings.attempt.tuning.work = settings.attempt.tuning.short_work = 0;
   const std::vector<Marker> stored{stored_jeans(), test::garment("jeans_02g")};
   const Marker order = test::graded_order_of(stored[0], 0.02);
   const Remake all = remade(order, stored, settings);
@@ -193,6 +193,23 @@ TEST(Remake, EndsWithSmallTiltsThatBringTheFirstTryNearEnough) {
   ASSERT_EQ(done.attempts.size(), 1U);
   EXPECT_EQ(done.attempts[0].steps.back().kind, StepKind::kTilted);
   EXPECT_EQ(done.length_after, tilted->length);
+}
+
+// Near enough, but not as good: tilted and searched, and nothing else is tried.
+TEST(Remake, SearchesBrieflyFromADraftThatIsNearEnough) {
+  RemakeSettings settings;
+  settings.attempt.tuning.near_enough = settings.attempt.tuning.as_good = 1;
+  const std::vector<Marker> stored{stored_jeans(), test::garment("jeans_02g")};
+  const Marker order = test::graded_order_of(stored[0], 0.02);
+  const Remake plain = remade(order, stored, settings);
+  ASSERT_EQ(plain.outcome, Outcome::kRemade);
+  EXPECT_EQ(plain.attempts[0].steps.back().kind, StepKind::kCompacted);
+  settings.attempt.tuning.as_good = -1;
+  const Remake brief = remade(order, stored, settings);
+  expect_sound(order, brief);
+  ASSERT_EQ(brief.attempts.size(), 1U);
+  EXPECT_FALSE(searched(brief.attempts[0]));
+  EXPECT_LT(brief.length_after, plain.length_after);
 }
 
 // None is near enough: all are tried, and the shortest is searched on.
@@ -229,7 +246,8 @@ TEST(Remake, SaysThatNoMarkerIsNear) {
 TEST(Remake, KeepsToTheEndOfTheCloth) {
   const std::vector<Marker> stored{stored_jeans()};
   Marker order = test::order_of(stored[0], 1.02);
-  order.strip.longest = length_of(stored[0]);  // less than the larger pieces need
+  const double least = substitution::whole_area(order) / static_cast<double>(order.strip.room(0).height());
+  order.strip.longest = static_cast<Coord>(least);  // less than the larger pieces need, however they lie
   const Remake done = remade(order, stored);
   EXPECT_EQ(done.outcome, Outcome::kNotApart);
   EXPECT_EQ(done.marker, order);

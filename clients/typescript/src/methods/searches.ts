@@ -80,7 +80,7 @@ export interface SearchMethods {
       shapesOnly?: boolean;
       /** True: use only one stored marker at a time; never put two of them end to end. */
       single?: boolean;
-      /** True: make all tries, and search for a shorter marker in each. False: take the first result whose utilisation is at most one point below that of the stored marker; if there is none, search for a shorter marker in the best result only. */
+      /** True: make all tries, and search for a shorter marker in each. False: make no further try after a first result whose utilisation is at most one point below that of the stored marker, and search for a shorter marker in the best result only. */
       thorough?: boolean;
       /** True: after the search for a shorter marker, do not move small pieces into gaps. */
       keepTrims?: boolean;
