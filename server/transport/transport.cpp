@@ -3,7 +3,6 @@
 #include "server/jobs/prompt_thread.h"
 #include "server/transport/acceptor.h"
 #include "server/transport/connection_table.h"
-#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/connection.h"
 #include "server/transport/peer.h"
 #include "server/transport/tls.h"
@@ -213,7 +212,7 @@ struct Transport::Implementation {
   const access::Service service;
   access::Access access;  // the I/O thread's
   asio::io_context io{1};
-  connections::BulkTurns turns{io};
+  waiting::BulkTurns turns{io};
   const connections::ConnectionContext context{service, limits, access, turns};
   const access::TransportLimits health_limits = limits_for_health(limits);
   const access::Service health_service{

@@ -2,7 +2,7 @@
 //
 // The first byte says whether the server requires a token.  Every answer must be HTTP; no call may reach the service
 // without a Host header, from a foreign origin, or, if one is required, without the token.
-#include "server/transport/connections/bulk_turns.h"  // before Asio
+#include "server/transport/connections/connection.h"  // before Asio
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
@@ -26,9 +26,9 @@ namespace {
 
 namespace asio = boost::asio;
 namespace access = server::transport::access;
-using server::transport::connections::BulkTurns;
 using server::transport::connections::Connection;
 using server::transport::connections::ConnectionContext;
+using server::transport::waiting::BulkTurns;
 using Local = asio::local::stream_protocol;
 
 constexpr std::string_view kToken = "correct horse battery";

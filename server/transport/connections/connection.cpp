@@ -5,17 +5,9 @@
 #include <array>
 #include <cstddef>
 
-#include "server/transport/connections/bulk_turns.h"
-
 namespace selvage::server::transport::connections {
 
 using Clock = std::chrono::steady_clock;
-
-boost::asio::awaitable<void> Signal::wait() {
-  boost::system::error_code ignored;
-  timer_.expires_at(Clock::time_point::max());
-  co_await timer_.async_wait(boost::asio::redirect_error(boost::asio::use_awaitable, ignored));
-}
 
 void report(access::Refusal refusal, const std::string& peer, const access::Service& service) {
   ++service.counts->refused.at(static_cast<std::size_t>(refusal));

@@ -21,12 +21,11 @@
 #include <string_view>
 
 #include "server/transport/access/service.h"
+#include "server/transport/waiting/bulk_turns.h"
 
 namespace selvage::server::transport::connections {
 
 using Socket = boost::asio::generic::stream_protocol::socket;
-
-class BulkTurns;
 
 // The service that answers a connection, the limits and access rules that it has to respect, and the turns that it
 // takes for the parts of long messages.
@@ -34,7 +33,7 @@ struct ConnectionContext {
   const access::Service& service;
   const access::TransportLimits& limits;
   const access::Access& access;
-  BulkTurns& turns;
+  waiting::BulkTurns& turns;
 };
 
 // Increments a count for as long as it lives.
@@ -47,20 +46,6 @@ class Counted {
 
  private:
   std::atomic<std::size_t>& count_;
-};
-
-// A signal that a coroutine waits for.  A wait may end spuriously: wait in a loop that checks the condition.
-class Signal {
- public:
-  explicit Signal(const boost::asio::any_io_executor& executor) : timer_{executor} {}
-
-  // Not inline: g++ 12 numbers the fields of a coroutine's frame anew in every source that contains it, which the
-  // linker's check of the one-definition rule reports.
-  boost::asio::awaitable<void> wait();
-  void notify() { timer_.cancel(); }
-
- private:
-  boost::asio::steady_timer timer_;
 };
 
 // Counts and reports that a caller was refused.

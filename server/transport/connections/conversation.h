@@ -48,7 +48,7 @@ class Conversation : public std::enable_shared_from_this<Conversation> {
 
   const std::shared_ptr<Connection> connection_;
   const ConnectionContext context_;
-  Signal changed_;  // fewer unanswered calls, or fewer unsent bytes
+  waiting::Signal changed_;  // fewer unanswered calls, or fewer unsent bytes
 
  private:
   void write_next();

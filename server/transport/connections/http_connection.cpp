@@ -11,7 +11,6 @@
 #include <optional>
 #include <string_view>
 
-#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/hand_over.h"
 #include "server/transport/connections/http_answers.h"
 #include "server/transport/connections/websocket_connection.h"
@@ -110,7 +109,7 @@ class HttpConnection {
     while (!error && !parser.is_done()) {
       co_await http::async_read_some(connection_.socket, buffer_, parser,
                                      asio::redirect_error(asio::use_awaitable, error));
-      if (!parser.is_done() && parser.get().body().size() >= BulkTurns::kLong) co_await context_.turns.next();
+      if (!parser.is_done() && parser.get().body().size() >= waiting::BulkTurns::kLong) co_await context_.turns.next();
     }
     Connection::disarm(connection_.read_watchdog);
     failed_ = failed_ || error;
@@ -150,7 +149,7 @@ class HttpConnection {
     struct Pending {
       explicit Pending(const asio::any_io_executor& executor) : done{executor} {}
       std::optional<std::string> answer;
-      Signal done;
+      waiting::Signal done;
     };
     const auto executor = connection_.socket.get_executor();
     const auto pending = std::make_shared<Pending>(executor);

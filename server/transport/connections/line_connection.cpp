@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/conversation.h"
 #include "server/transport/connections/line_splitter.h"
 
@@ -90,7 +89,7 @@ class LineConnection final : public Conversation {
   // there is no room in time, so that incomplete lines cannot block each other.
   asio::awaitable<void> make_room() {
     held_.set(splitter_.partial_bytes());
-    if (held_.bytes() >= BulkTurns::kLong) co_await context_.turns.next();
+    if (held_.bytes() >= waiting::BulkTurns::kLong) co_await context_.turns.next();
     if (held_.bytes() == 0) {
       co_await wait_for_room();
       co_return;

@@ -6,7 +6,6 @@
 
 #include <utility>
 
-#include "server/transport/connections/bulk_turns.h"
 #include "server/transport/connections/conversation.h"
 #include "server/transport/connections/growing_text.h"
 
@@ -146,7 +145,7 @@ class WebSocketConnection final : public Conversation {
           connection_->arm(connection_->read_watchdog, context_.limits.request);
         }
         held.set(message.size());
-        if (message.size() >= BulkTurns::kLong) co_await context_.turns.next();
+        if (message.size() >= waiting::BulkTurns::kLong) co_await context_.turns.next();
         const memory::ByteAccount& account = *context_.service.account;
         const bool room =
             co_await connection_->wait_for_room(account, this->held() + held.bytes(), 1, context_.limits.room);

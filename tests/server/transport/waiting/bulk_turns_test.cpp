@@ -1,4 +1,4 @@
-#include "server/transport/connections/bulk_turns.h"
+#include "server/transport/waiting/bulk_turns.h"
 
 #include <gtest/gtest.h>
 #include <boost/asio/co_spawn.hpp>
@@ -12,7 +12,7 @@ namespace selvage::server::transport {
 namespace {
 
 namespace asio = boost::asio;
-using connections::BulkTurns;
+using waiting::BulkTurns;
 
 // Writes its letter in each turn.
 asio::awaitable<void> write_in_turns(BulkTurns& turns, std::string& written, char letter, int count) {

@@ -4,7 +4,7 @@
 // messages, a short one waits for at most one part of one of them.
 #pragma once
 
-#include "server/transport/connections/connection.h"
+#include "server/transport/waiting/signal.h"
 
 #include <boost/asio/io_context.hpp>
 
@@ -12,7 +12,7 @@
 #include <deque>
 #include <memory>
 
-namespace selvage::server::transport::connections {
+namespace selvage::server::transport::waiting {
 
 // Everything here belongs to the I/O thread.
 class BulkTurns {
@@ -40,4 +40,4 @@ class BulkTurns {
   std::deque<std::weak_ptr<Waiting>> waiting_;  // in order; expired: its coroutine has been destroyed
 };
 
-}  // namespace selvage::server::transport::connections
+}  // namespace selvage::server::transport::waiting

@@ -1,6 +1,6 @@
-#include "server/transport/connections/bulk_turns.h"
+#include "server/transport/waiting/bulk_turns.h"
 
-namespace selvage::server::transport::connections {
+namespace selvage::server::transport::waiting {
 
 struct BulkTurns::Waiting {
   explicit Waiting(boost::asio::io_context& io) : turn{io.get_executor()} {}
@@ -34,4 +34,4 @@ void BulkTurns::give() {
   first->turn.notify();
 }
 
-}  // namespace selvage::server::transport::connections
+}  // namespace selvage::server::transport::waiting
