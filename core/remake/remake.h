@@ -2,8 +2,8 @@
 //
 // The stored markers whose pieces differ least from the order's are tried (choice.h).  A try is a draft, which takes a
 // fraction of a second (attempt.h); when the first is near enough to its stored marker, if need be once it is tilted,
-// no other follows.  The shortest draft is finished by a search for a shorter marker, which is short where it is near
-// enough; unless it uses the cloth as well as the stored one, but for a few tenths of a point.
+// no other follows.  The shortest draft is finished by a search for a shorter marker.  The search is brief if the draft
+// is near enough, and left out if the draft is within a few tenths of a point of its stored marker.
 //
 // Laws.  (1) The answer is valid, proved in integers, or it is the order as it came in and `outcome` says why.  (2) A
 // marker's own order gives at least its utilisation, when that marker is tried and no piece has rules of its own

@@ -21,8 +21,8 @@ class BoxSides {
   // False when the point lies on no side.
   bool include(RealVec p);
   void append_corners(std::vector<RealVec>& points) const;
-  // Sets `chords` to the lines between the points of one side and of the next that has any, but for those along sides:
-  // a point of the box lies in the hull when it lies in these half-planes.  False when the hull may be a single point.
+  // Sets `chords` to the edges of the hull that do not lie along sides of the box, as half-planes: a point of the box
+  // that lies in all of them lies in the hull.  False when the hull may be a single point.
   [[nodiscard]] bool set_chords(std::vector<HalfPlane>& chords) const;
 
  private:

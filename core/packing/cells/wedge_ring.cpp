@@ -87,7 +87,7 @@ HalfPlane beside_ray(RealVec centre, RealVec corner, double side, double slack) 
   return {nx, ny, nx * centre.x + ny * centre.y - kLineSlack};
 }
 
-// How the corners of a cell lie to a half-plane.
+// How far the corners of a cell lie inside a half-plane; negative: outside.
 struct CornerRooms {
   std::array<double, 8> room;
   std::uint32_t outside{};  // one bit for each corner
@@ -101,7 +101,7 @@ CornerRooms corner_rooms(const Cell& cell, const HalfPlane& plane) {
   return rooms;
 }
 
-// The part of `cell` in the half-plane, on whose sides it has corners.
+// The part of `cell` in the half-plane.  The cell has corners on both sides of its border.
 void clip_into(const Cell& cell, const CornerRooms& rooms, Cell& kept) {
   kept.count = 0;
   const auto keep = [&](double x, double y) {

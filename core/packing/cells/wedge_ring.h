@@ -71,7 +71,7 @@ class WedgeRing {
   [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
   // Whether the part of `box` in a wedge lies in `part` for sure, a part of the box: cheaper than clipping.
   [[nodiscard]] bool lies_within(std::uint32_t wedge, const RealBox& box, const RealBox& part) const;
-  // Whether a wedge lies in all the half-planes for sure, whose borders separate it from the centre.
+  // Whether a wedge certainly lies in all the half-planes.  False, too, if the centre lies inside one of them.
   [[nodiscard]] bool lies_within(std::uint32_t wedge, std::span<const HalfPlane> planes) const;
   // The part of an arc that rays to the box pass: in its other wedges the box has no position.  Counted from the arc's
   // first wedge, and where the part of a whole ring goes on beyond the last one, `end` is more than its size.

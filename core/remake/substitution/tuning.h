@@ -41,9 +41,9 @@ struct RemakeTuning {
   int tilt_rounds{4};        // of small tilts: the first ones give nearly all of what many would
   double near_enough{0.01};  // utilisation below that of the stored marker at which no other one is tried,
   double as_good{0.003};     // and at which this one is neither tilted nor searched
-  // The search for a shorter marker, from a draft that is not near enough: its moves for each piece, and its work at
-  // least, in moves times pieces, because a move takes longer the more pieces there are.  From a draft that is near
-  // enough: all its work.
+  // The search for a shorter marker.  From a draft that is not near enough it makes `moves_per_piece` moves for each
+  // piece, or as many as `work` allows, if that is more; from one that is near enough, as many as `short_work` allows.
+  // Work is moves times pieces, because a move takes longer the more pieces there are.
   std::uint64_t moves_per_piece{40}, work{400'000}, short_work{100'000};
   std::uint64_t fewest_pieces{25};  // orders of fewer are searched as if they had as many
   std::size_t bold_patience{30};    // nesting::NestTuning::bold_patience of this search

@@ -3,6 +3,7 @@
 
 #include <utility>  // before Asio 1.74, which uses std::exchange without it
 
+#include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/steady_timer.hpp>
 
