@@ -108,8 +108,9 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
     }
     scene.pieces.place(step.positions);
     // Pieces move less from round to round: look only as far as the next round may go.
+    const double most = goal.fixes_length() ? trust : std::min(trust, first_trust(scene, settings));
     step_settings.trust =
-        std::clamp(settings.tuning.trust_ahead * step.farthest, settings.tuning.least_trust * trust, trust);
+        std::clamp(settings.tuning.trust_ahead * step.farthest, settings.tuning.least_trust * most, most);
     progress.gain += step.gain * static_cast<double>(scene.marker.strip.width);
     ++progress.rounds;
     run.observer.on_round({progress.rounds, scene.pieces.length()});

@@ -16,6 +16,7 @@ namespace selvage::motion::piece {
 namespace {
 
 constexpr double kRounding = 1e-6;   // lattice units: rounding of a slack
+constexpr double kFarther = 4;       // by which the reach grows and shrinks
 constexpr double kNarrowest = 1e-6;  // least value of 1 + the cosine between the normals of a corner's sides
 
 // Lattice units by which a point at a corner backs away from its sides until a lattice point fits: there is always one
@@ -65,7 +66,8 @@ class Bumper {
         ux_{ux},
         uy_{uy},
         at_{scene.pieces.at(piece)},
-        reach_{tuning.first_reach * static_cast<double>(scene.marker.strip.width)} {
+        first_reach_{tuning.first_reach * static_cast<double>(scene.marker.strip.width)},
+        reach_{first_reach_} {
     moves_.resize(scene.pieces.size());
     for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) moves_[i] = scene.ties.joined(i, piece);
     const Coord end = scene.marker.strip.last().value_or(scene.pieces.length());
@@ -135,7 +137,8 @@ class Bumper {
       }
       const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
                                              [&](std::size_t k) { return k >= cell_.size() - 4; });
-      if (reached_limit) reach_ *= 4;  // only the reach was in the way: look farther next time
+      // Where only the reach was in the way, look farther next time; otherwise near pieces decide.
+      reach_ = reached_limit ? reach_ * kFarther : first_reach_;
       at_ = *target;
       return true;
     }
@@ -259,6 +262,7 @@ class Bumper {
   std::vector<bool> moves_;                                                    // whether a piece is of the body
   Box fit_{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};  // positions within the strip
   Vec at_;
+  double first_reach_;
   double reach_;
   std::vector<Met> met_;
   std::optional<std::pair<Vec, double>> looked_from_;  // the position and the reach that `neighbours_` is for

@@ -121,6 +121,12 @@ RealVec relative(marker::PiecePair pair, const std::vector<RealVec>& displacemen
   return {second.x - first.x, second.y - first.y};
 }
 
+std::vector<RealVec> scaled(const std::vector<RealVec>& displacements, double fraction) {
+  std::vector<RealVec> part = displacements;
+  for (RealVec& d : part) d = {d.x * fraction, d.y * fraction};
+  return part;
+}
+
 double farthest_relative(const std::vector<marker::PiecePair>& pairs, const std::vector<RealVec>& displacements) {
   double most = 0;
   for (const marker::PiecePair& pair : pairs) {

@@ -21,6 +21,8 @@ struct Moves {
 };
 // How far the second piece of a pair moves against the first.
 [[nodiscard]] RealVec relative(marker::PiecePair pair, const std::vector<RealVec>& displacements);
+// This fraction of each displacement.
+[[nodiscard]] std::vector<RealVec> scaled(const std::vector<RealVec>& displacements, double fraction);
 // The most that two of these pairs move against each other on an axis.
 [[nodiscard]] double farthest_relative(const std::vector<marker::PiecePair>& pairs,
                                        const std::vector<RealVec>& displacements);

@@ -47,10 +47,10 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     step.end = end;
     return step;
   };
-  while (step.programs < tuning.programs) {
+  for (bool last = false; !last;) {
     if (run.stopped()) return ended(StepEnd::kStopped);
     const lp::LpSolution solution = model.solve();
-    ++step.programs;
+    last = ++step.programs >= tuning.programs;
     if (solution.status == lp::LpStatus::kInfeasible && model.make_feasible()) continue;
     if (solution.status == lp::LpStatus::kStopped) return ended(StepEnd::kStopped);
     if (solution.status != lp::LpStatus::kOptimal) return ended(StepEnd::kSolverFailed);
@@ -59,18 +59,23 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     const double gain = -solution.objective;
     const bool gains = gain >= tuning.least_gain;
     Moves moves = model.moves(solution);
-    const bool rows_added = gains && model.add_broken_rows(moves, gain);
-    const bool pieces_added = model.add_pressed_pieces(solution);
+    if (last) model.shorten(moves);
+    const bool rows_added = gains && !last && model.add_broken_rows(moves, gain);
+    const bool pieces_added = !last && model.add_pressed_pieces(solution);
     if (rows_added || pieces_added) continue;
     if (!goal.fixes_length()) step.pressed = model.pressed_rows(solution);
     if (!gains) return ended(StepEnd::kNoGain);
 
-    const ProvedStep proved =
+    ProvedStep proved =
         prove_step(scene.pieces, moves.displacements, model.modelled(), tuning.fractions, *run.executor);
+    if (last && !proved.moved) {
+      proved = halve_until_valid(scene.pieces, moves.displacements, tuning.halvings, *run.executor);
+    }
     if (proved.moved) {
       finish(scene, goal, model, proved, step);
       return step;
     }
+    if (step.programs >= tuning.foresight_after && model.add_pairs(model.ahead_of(moves, proved.conflicts))) continue;
     if (!model.add_pairs(proved.conflicts)) model.tie(proved.conflicts);
   }
   return step;

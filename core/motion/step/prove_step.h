@@ -26,4 +26,10 @@ struct ProvedStep {
                                     const PairSet& modelled, std::span<const double> fractions,
                                     const Executor& executor);
 
+// The largest valid step among half the displacements, a quarter, and so on.  A step so short that no pair becomes
+// nearer than the trust radius allows is valid but for rounding.
+[[nodiscard]] ProvedStep halve_until_valid(const marker::PlacedPieces& pieces,
+                                           const std::vector<RealVec>& displacements, int halvings,
+                                           const Executor& executor);
+
 }  // namespace selvage::motion::step

@@ -1,7 +1,10 @@
 #include "core/motion/step/round_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+
+#include "core/model/snap.h"
 
 namespace selvage::motion::step {
 namespace {
@@ -94,8 +97,7 @@ bool RoundModel::add_broken_rows(Moves& moves, double gain) {
   const BrokenRows broken = length_->broken_by(moves, *model_, tight_);
   if (broken.empty()) return false;
   if (!goal_.fixes_length() && gain < model::ModelUnit::of_width(settings_.worth)) {
-    const double fraction = feasible_fraction(scene_.pieces, broken, moves);
-    for (RealVec& d : moves.displacements) d = {d.x * fraction, d.y * fraction};
+    shorten_to(broken, moves);
     return false;
   }
   for (const model::PairRow& row : broken.rows) {
@@ -104,6 +106,15 @@ bool RoundModel::add_broken_rows(Moves& moves, double gain) {
   }
   for (const std::size_t i : broken.right_walls) model_->add_right_wall(i);
   return true;
+}
+
+void RoundModel::shorten(Moves& moves) const {
+  shorten_to(length_->broken_by(moves, *model_, tight_), moves);
+}
+
+void RoundModel::shorten_to(const BrokenRows& broken, Moves& moves) const {
+  if (broken.empty()) return;
+  moves.displacements = scaled(moves.displacements, feasible_fraction(scene_.pieces, broken, moves));
 }
 
 bool RoundModel::add_pressed_pieces(const lp::LpSolution& solution) {
@@ -140,6 +151,19 @@ bool RoundModel::add_pairs(const std::vector<marker::PiecePair>& pairs) {
   for (std::size_t k = before; k < rows_.size(); ++k) add_row(k);
   modelled_.insert(fresh.begin(), fresh.end());
   return !fresh.empty();
+}
+
+std::vector<marker::PiecePair> RoundModel::ahead_of(const Moves& moves,
+                                                    const std::vector<marker::PiecePair>& colliding) const {
+  std::vector<char> collides(scene_.pieces.size());
+  for (const auto& [p, q] : colliding) collides[p] = collides[q] = 1;
+  marker::PlacedPieces moved = scene_.pieces;
+  moved.move_by(model::snapped(moves.displacements));
+  const double near = settings_.tuning.foresight * settings_.trust * static_cast<double>(scene_.marker.strip.width);
+  std::vector<marker::PiecePair> pairs = pairs_within(moved, std::llround(near) + moved.widest_spacing());
+  std::erase_if(pairs,
+                [&](const marker::PiecePair& pair) { return collides[pair.first] == 0 && collides[pair.second] == 0; });
+  return pairs;
 }
 
 void RoundModel::tie(const std::vector<marker::PiecePair>& pairs) {

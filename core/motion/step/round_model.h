@@ -36,12 +36,17 @@ class RoundModel {
   // Adds the rows that were left out and that the moves break.  True when there were any.  Moves that gain less than
   // StepSettings::worth do not deserve another program: they are scaled down until they keep these rows.
   bool add_broken_rows(Moves& moves, double gain);
+  // Scales the moves down until they keep the rows that were left out.
+  void shorten(Moves& moves) const;
   // Activates the pieces that the solution's rows press on harder than moving them costs.  True when there were any.
   bool add_pressed_pieces(const lp::LpSolution& solution);
   // The rows that the solution presses on, other than a little.
   [[nodiscard]] std::vector<model::PairRow> pressed_rows(const lp::LpSolution& solution) const;
   // Models those of the pairs that it does not model yet.  True when there were any.
   bool add_pairs(const std::vector<marker::PiecePair>& pairs);
+  // The pairs that one of the colliding pieces is near to after the moves.
+  [[nodiscard]] std::vector<marker::PiecePair> ahead_of(const Moves& moves,
+                                                        const std::vector<marker::PiecePair>& colliding) const;
   // Pieces that collide after rounding although their pairs are modelled move as one from now on: their relative
   // position, which is valid now, stays.
   void tie(const std::vector<marker::PiecePair>& pairs);
@@ -59,6 +64,7 @@ class RoundModel {
   void grow(std::vector<std::uint32_t> pieces);
   void build();
   void add_row(std::size_t k);
+  void shorten_to(const BrokenRows& broken, Moves& moves) const;
 
   const scene::Scene& scene_;
   const Goal& goal_;

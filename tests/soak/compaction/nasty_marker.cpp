@@ -133,7 +133,7 @@ Coord gap(Random& random, int touching) {
 }
 
 // Lays the pieces out in columns, each in a box of its own.
-void lay_out(Random& random, Marker& marker) {
+void lay_out(Random& random, Marker& marker, std::uint32_t most_pieces) {
   const int touching = random.chance(50) ? 95 : 20;
   const bool in_grid = random.chance(25);  // every box as large as the largest
   Vec largest;
@@ -142,8 +142,9 @@ void lay_out(Random& random, Marker& marker) {
     boxes.push_back(box_of(oriented(marker.shapes[piece.shape.value].outline, piece.orientation)));
     largest = {std::max(largest.x, boxes.back().width()), std::max(largest.y, boxes.back().height())};
   }
-  marker.strip.width =
-      std::max(static_cast<Coord>(kUnit) * random.between(200, 1000), largest.y + 2 * marker.strip.margin);
+  const double wider = std::sqrt(static_cast<double>(most_pieces) / kUsualPieces);  // so that markers keep their form
+  marker.strip.width = std::max<Coord>(std::llround(kUnit * wider * static_cast<double>(random.between(200, 1000))),
+                                       largest.y + 2 * marker.strip.margin);
   Vec corner{marker.strip.margin, marker.strip.margin};
   Coord next = 0;
   for (std::size_t k = 0; k < boxes.size(); ++k) {
@@ -163,7 +164,7 @@ void lay_out(Random& random, Marker& marker) {
 
 }  // namespace
 
-Marker nasty_marker(Random& random) {
+Marker nasty_marker(Random& random, std::uint32_t most_pieces) {
   for (;;) {
     Marker marker;
     marker.resolution = {-6};
@@ -173,7 +174,7 @@ Marker nasty_marker(Random& random) {
     for (std::size_t k = 0; k < shapes; ++k) marker.shapes.push_back(drawn_shape(random, "s" + std::to_string(k)));
     const bool odd = random.chance(30);
     const bool quarter = random.chance(50);
-    const auto pieces = static_cast<std::size_t>(random.between(2, 16));
+    const auto pieces = static_cast<std::size_t>(random.between(2, most_pieces));
     const Coord buffer = random.chance(20) ? std::llround(kUnit * between(random, 0, 10)) : 0;
     for (std::size_t k = 0; k < pieces; ++k) {
       const double turn = odd ? between(random, 0, 360) : quarter ? 90.0 * static_cast<double>(random.below(4)) : 0;
@@ -184,7 +185,7 @@ Marker nasty_marker(Random& random) {
       marker.pieces.back().buffer = buffer;
     }
     if (random.chance(30)) constrain(random, marker);
-    lay_out(random, marker);
+    lay_out(random, marker, most_pieces);
     auto made = make_marker(std::move(marker));
     if (made && is_valid(*made)) return *std::move(made);
   }

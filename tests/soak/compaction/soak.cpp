@@ -1,7 +1,7 @@
 // The soak of compaction's laws: compacts random loose markers and compares the answers with those of sweeps of single
 // pieces, of a second compaction and of bumps (laws.h).
 //
-// usage: compaction_soak [MARKERS] [SEED] [--threads N]
+// usage: compaction_soak [MARKERS] [SEED] [--pieces N] [--threads N]
 //
 // Marker k is made from the seed SEED + k, so `compaction_soak 1 SEED` replays one of them.  Prints every fault with
 // its seed, and the measured rates.  Exit status: 0 no fault; 1 faults.
@@ -37,13 +37,14 @@ struct Rate {
 
 class CompactionSoak {
  public:
-  CompactionSoak(std::uint64_t first, std::uint64_t markers) : next_{first}, end_{first + markers} {}
+  CompactionSoak(std::uint64_t first, std::uint64_t markers, std::uint32_t most_pieces)
+      : next_{first}, end_{first + markers}, most_pieces_{most_pieces} {}
 
   // Judges markers until there are no more; called by every thread.
   void run() {
     for (std::uint64_t seed = next_++; seed < end_; seed = next_++) {
       Random random{seed};
-      const Marker marker = nasty_marker(random);
+      const Marker marker = nasty_marker(random, most_pieces_);
       const CompactionVerdict verdict = judged_compaction(marker, sums_);
       const std::lock_guard lock{mutex_};
       beyond_sweeps_.add(verdict.beyond_sweeps);
@@ -78,6 +79,7 @@ class CompactionSoak {
 
   std::atomic<std::uint64_t> next_;
   const std::uint64_t end_;
+  const std::uint32_t most_pieces_;
   SumCache sums_{kCacheBytes};
   std::mutex mutex_;
   Rate beyond_sweeps_, second_gain_, after_bump_;
@@ -91,13 +93,17 @@ int main(int argc, char** argv) {
   CLI::App app{"Compacts random loose markers and judges the answers."};
   std::uint64_t markers = 100'000;
   std::uint64_t seed = 1;
+  std::uint32_t pieces = selvage::test::kUsualPieces;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("MARKERS", markers, "Number of markers")->capture_default_str();
   app.add_option("SEED", seed, "Seed of the first marker")->capture_default_str();
+  app.add_option("--pieces", pieces, "Most pieces that a marker has")
+      ->check(CLI::Range(2U, 5000U))
+      ->capture_default_str();
   app.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1U, 256U));
   CLI11_PARSE(app, argc, argv);
 
-  selvage::test::CompactionSoak soak{seed, markers};
+  selvage::test::CompactionSoak soak{seed, markers, pieces};
   {
     std::vector<std::jthread> sharing;
     for (unsigned k = 0; k < threads; ++k) sharing.emplace_back([&soak] { soak.run(); });

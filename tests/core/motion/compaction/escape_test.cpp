@@ -89,6 +89,18 @@ TEST(Escape, IsNeverLongerThanSweepsOfFewPieces) {
   }
 }
 
+TEST(Escape, IsNotLongerThanSweepsOfHundredsOfLoosePieces) {
+  Layout layout{9'000'000};
+  const auto star = layout.shape_of(gear(3, 100'000, 60'000));
+  const auto comb =
+      layout.shape_of({{0, 0}, {150'000, 0}, {150'000, 100'000}, {100'000, 100'000}, {100'000, 30'000}, {0, 30'000}});
+  for (int k = 0; k < 420; ++k) {
+    const Vec corner{k / 30 * 300'000, k % 30 * 300'000};
+    layout.put(k % 3 == 0 ? comb : star, corner + Vec{100'000 + k * 7'919 % 40'000, 100'000 + k * 3'571 % 40'000});
+  }
+  EXPECT_LE(escaped(layout.marker()).length_after, swept(layout.marker()));
+}
+
 TEST(Escape, RespectsTheLimitOnRounds) {
   SumCache sums;
   CompactionSettings settings = compaction_settings(Accuracy::kStandard);

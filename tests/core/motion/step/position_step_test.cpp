@@ -38,6 +38,25 @@ TEST_P(PositionStepOfGarments, MovesAreShortenedWhereAProgramIsNotWorthSolvingAg
   EXPECT_EQ(again.positions, best.positions);
 }
 
+// A round that may solve no more programs used to end without any move, as if the marker could not become shorter.
+TEST_P(PositionStepOfGarments, TheLastProgramOfARoundMovesThePieces) {
+  const Marker marker = test::loosened(test::garment(GetParam()), 0.05);
+  SumCache sums;
+  const scene::Scene scene{marker, sums};
+  const Goal goal = leftward_goal(scene, 0.003);
+  const int needed = position_step(scene, goal, {.trust = kTrust}, {sums}).programs;
+  ASSERT_GT(needed, 1);
+  for (int programs = 1; programs < needed; ++programs) {
+    const PositionStep step = position_step(scene, goal, {.trust = kTrust, .tuning = {.programs = programs}}, {sums});
+    ASSERT_EQ(step.end, StepEnd::kMoved) << programs;
+    EXPECT_EQ(step.programs, programs);
+    marker::PlacedPieces moved = scene.pieces;
+    moved.place(step.positions);
+    EXPECT_TRUE(conflicts(moved).empty());
+    EXPECT_LT(moved.length(), scene.pieces.length());
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Garments, PositionStepOfGarments, ::testing::Values("jeans_02g", "simon_06g", "jeans_06g"),
                          test::garment_name);
 

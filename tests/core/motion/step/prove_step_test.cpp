@@ -47,5 +47,14 @@ TEST(ProveStep, ReportsTheCollisionsOfTheWholeStepWhenNoFractionIsValid) {
   EXPECT_EQ(proved.conflicts, (std::vector<marker::PiecePair>{{0, 1}}));
 }
 
+TEST(ProveStep, HalvesAStepUntilItIsValid) {
+  const std::vector<RealVec> step{{0, 0}, {-300, 0}};
+  EXPECT_FALSE(halve_until_valid(two_squares(), step, 1, serial()).moved);
+  const auto proved = halve_until_valid(two_squares(), step, 3, serial());
+  ASSERT_TRUE(proved.moved);
+  EXPECT_EQ(proved.moved->at(1), (Vec{1025, 0}));
+  EXPECT_EQ(proved.displacements[1].x, -75);
+}
+
 }  // namespace
 }  // namespace selvage::motion::step
