@@ -119,7 +119,8 @@ class Suggestions(unittest.TestCase):
     def test_a_suggestion_is_made_for_an_unknown_choice(self):
         self.assertIn("did you mean engine.info?", run("call", "engin.info").stderr)
         self.assertIn("not one of draft, standard, fine", run("compact", "x.json", "--accuracy", "quick").stderr)
-        self.assertIn("--direction takes X,Y", run("bump", "x.json", "--piece", "a", "--direction", "1").stderr)
+        for wrong in "1", "1,2,3", "1,", "1,a", "":
+            self.assertIn("--direction takes X,Y", run("bump", "x.json", "--piece", "a", "--direction", wrong).stderr)
         self.assertIn("y.json is one argument too many for compact", run("compact", "x.json", "y.json").stderr)
 
     def test_every_error_names_the_program_and_refers_to_the_help(self):

@@ -44,6 +44,10 @@ class Compact(CliTest):
         "contain": ("--pieces", '["p0"]', "--room", "[[0,0],[3000,500]]"),
     }
 
+    def test_a_file_may_come_between_numbers_and_other_options(self):
+        ran = run("gravity", "--force", "-1,0", MARKERS / "jeans_02g.json", "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+
     def test_every_motion_ends_when_its_time_is_up(self):
         document = squares(*((x * 111, y * 97) for x in range(20) for y in range(10)))
         document["strip"]["width"] = 1000

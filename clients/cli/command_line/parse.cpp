@@ -61,6 +61,25 @@ CLI::Option* add_valued(CLI::App& app, const Option& option, Values& values) {
   return app.add_option_function<T>(option.name, set, option.meaning);
 }
 
+// One word, so that the word after it is never taken for another of the numbers.
+CLI::Option* add_numbers(CLI::App& app, const Option& option, Values& values) {
+  const auto set = [&values, option](const std::string& word) {
+    std::vector<double> numbers;
+    for (const std::string& part : CLI::detail::split(word, ',')) {
+      double number{};
+      if (!CLI::detail::lexical_cast(part, number)) break;
+      numbers.push_back(number);
+    }
+    const auto commas = static_cast<int>(std::count(word.begin(), word.end(), ','));
+    if (commas + 1 != option.count || numbers.size() != static_cast<std::size_t>(option.count)) {
+      throw CLI::ValidationError{option.name + " takes " + value_of(option) + ", numbers separated by commas, not " +
+                                 word};
+    }
+    values.set(key_of(option), numbers);
+  };
+  return app.add_option_function<std::string>(option.name, set, option.meaning);
+}
+
 CLI::Option* add_by_kind(CLI::App& app, const Option& option, Values& values) {
   switch (option.kind) {
     case Kind::kFlag: {
@@ -70,8 +89,7 @@ CLI::Option* add_by_kind(CLI::App& app, const Option& option, Values& values) {
     case Kind::kText: return add_valued<std::string>(app, option, values);
     case Kind::kInteger: return add_valued<std::int64_t>(app, option, values);
     case Kind::kNumber: return add_valued<double>(app, option, values);
-    case Kind::kNumbers:
-      return add_valued<std::vector<double>>(app, option, values)->delimiter(',')->expected(option.count);
+    case Kind::kNumbers: return add_numbers(app, option, values);
     case Kind::kTexts: return add_valued<std::vector<std::string>>(app, option, values);
   }
   return nullptr;
@@ -136,16 +154,6 @@ std::string unknown_argument(const CLI::App& app, const CLI::App& chosen) {
   return name + " is not an option of " + chosen.get_name() + (meant ? "; did you mean " + *meant + "?" : "");
 }
 
-// The error message if an option was given too few or too many numbers.
-std::optional<std::string> wrong_count(const Command& command, const CLI::ParseError& error) {
-  if (error.get_name() != "ArgumentMismatch") return std::nullopt;
-  for (const Option& option : command.options) {
-    if (option.kind == Kind::kNumbers && std::string{error.what()}.starts_with(option.name + ":"))
-      return option.name + " takes " + value_of(option) + ", numbers separated by commas";
-  }
-  return std::nullopt;
-}
-
 // The error message for a wrong command line, with a hint at --help.
 std::string mistake(const Program& program, const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* const chosen = app.get_subcommands().empty() ? nullptr : app.get_subcommands().front();
@@ -154,10 +162,6 @@ std::string mistake(const Program& program, const CLI::App& app, const CLI::Pars
     message = unknown_command(program, app.remaining().front());
   } else if (chosen != nullptr && dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     message = unknown_argument(app, *chosen);
-  } else if (chosen != nullptr) {
-    for (const Command& command : program.commands) {
-      if (command.name == chosen->get_name()) message = wrong_count(command, error).value_or(message);
-    }
   }
   const std::string described = program.name + (chosen != nullptr ? " " + chosen->get_name() : "");
   return message + "\nRun `" + described + " --help` for more information.";
