@@ -88,6 +88,9 @@ Family compaction_family() {
   const auto of_steps = constants_of<StepTuning, CompactionSettings>(
       settings,
       {{"step.programs", &StepTuning::programs},
+       {"step.foresight_after", &StepTuning::foresight_after},
+       {"step.foresight", &StepTuning::foresight},
+       {"step.halvings", &StepTuning::halvings},
        {"step.small_marker", &StepTuning::small_marker},
        {"step.active_set_growth", &StepTuning::active_set_growth},
        {"step.least_gain", &StepTuning::least_gain},

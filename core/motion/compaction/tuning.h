@@ -20,8 +20,8 @@ struct CompactionTuning {
   double loose_below{0.75};    // utilisation below which a marker counts as loose (escape.h)
   double worth_a_sweep{5e-5};  // part of the length: sweeps and rounds that gain less together are the last
   int sweeps{200};             // single-piece sweeps at a time, at most
-  std::size_t most_pieces_swept{5000};  // in markers with more pieces, sweeps take too long
-  step::StepTuning step{};             // of each round
+  std::size_t most_pieces_swept{5000};  // markers with more pieces are not swept, because it would take too long
+  step::StepTuning step{};              // of each round
   friend bool operator==(const CompactionTuning&, const CompactionTuning&) = default;
 };
 

@@ -26,8 +26,9 @@ struct ProvedStep {
                                     const PairSet& modelled, std::span<const double> fractions,
                                     const Executor& executor);
 
-// The largest valid step among half the displacements, a quarter, and so on.  A step so short that no pair becomes
-// nearer than the trust radius allows is valid but for rounding.
+// The largest valid step among half the displacements, a quarter, and so on; nothing when none of them is valid.  Once
+// no piece moves farther than half of the trust radius, only rounding can make a step invalid: pairs that were not
+// modelled cannot meet.
 [[nodiscard]] ProvedStep halve_until_valid(const marker::PlacedPieces& pieces,
                                            const std::vector<RealVec>& displacements, int halvings,
                                            const Executor& executor);

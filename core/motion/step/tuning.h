@@ -11,12 +11,12 @@ namespace selvage::motion::step {
 struct StepTuning {
   // Linear programs that one round solves at most, as rows, pairs and pieces enter.  Few rounds need more than four.
   int programs{24};
-  // After this many, colliding pieces get the rows of all pairs that they are near to after their moves, so that a
-  // round in which loose pieces collide with others each time comes to an end.
+  // From this program on, pieces that collide get the rows of all pieces that they would be near to after their moves.
+  // Otherwise each program may make loose pieces collide with others, and the round never ends.
   int foresight_after{5};
-  // A pair is near to such a piece within this fraction of the trust radius.
+  // Near means: within this fraction of the trust radius.
   double foresight{0.3};
-  // After the last of them, the moves are halved at most so often, until no two pieces collide.
+  // The moves of the last program are halved up to this many times, until no two pieces collide.
   int halvings{16};
   // With at most this many free pieces, a round at fixed length models all of them at once: one program of so few
   // pieces is faster than several of a growing active set.
