@@ -61,7 +61,7 @@ CLI::Option* add_valued(CLI::App& app, const Option& option, Values& values) {
   return app.add_option_function<T>(option.name, set, option.meaning);
 }
 
-// One word, so that the word after it is never taken for another of the numbers.
+// All numbers are one word, so the word after it is never taken for another one.
 CLI::Option* add_numbers(CLI::App& app, const Option& option, Values& values) {
   const auto set = [&values, option](const std::string& word) {
     std::vector<double> numbers;
@@ -70,6 +70,7 @@ CLI::Option* add_numbers(CLI::App& app, const Option& option, Values& values) {
       if (!CLI::detail::lexical_cast(part, number)) break;
       numbers.push_back(number);
     }
+    // The number of commas tells "1,2," from "1,2".
     const auto commas = static_cast<int>(std::count(word.begin(), word.end(), ','));
     if (commas + 1 != option.count || numbers.size() != static_cast<std::size_t>(option.count)) {
       throw CLI::ValidationError{option.name + " takes " + value_of(option) + ", numbers separated by commas, not " +

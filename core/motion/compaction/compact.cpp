@@ -107,7 +107,8 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
       step_settings.last_moves[i] = step.positions[i] - scene.pieces.at(i);
     }
     scene.pieces.place(step.positions);
-    // Pieces move less from round to round: look only as far as the next round may go.
+    // Pieces move less from round to round: look only as far as the next round may go.  In a shorter marker, more of
+    // them may be near.
     const double most = goal.fixes_length() ? trust : std::min(trust, first_trust(scene, settings));
     step_settings.trust =
         std::clamp(settings.tuning.trust_ahead * step.farthest, settings.tuning.least_trust * most, most);

@@ -16,7 +16,7 @@ namespace selvage::motion::piece {
 namespace {
 
 constexpr double kRounding = 1e-6;   // lattice units: rounding of a slack
-constexpr double kFarther = 4;       // by which the reach grows and shrinks
+constexpr double kFarther = 4;       // by which the reach grows
 constexpr double kNarrowest = 1e-6;  // least value of 1 + the cosine between the normals of a corner's sides
 
 // Lattice units by which a point at a corner backs away from its sides until a lattice point fits: there is always one
@@ -137,8 +137,11 @@ class Bumper {
       }
       const bool reached_limit = std::any_of(last_.blocking.begin(), last_.blocking.end(),
                                              [&](std::size_t k) { return k >= cell_.size() - 4; });
-      // Where only the reach was in the way, look farther next time; otherwise near pieces decide.
-      reach_ = reached_limit ? reach_ * kFarther : first_reach_;
+      if (reached_limit) {
+        reach_ *= kFarther;  // only the reach was in the way: look farther next time
+      } else if (neighbours_.size() > tuning_.many_neighbours) {
+        reach_ = first_reach_;
+      }
       at_ = *target;
       return true;
     }

@@ -9,9 +9,12 @@ namespace selvage::motion::piece {
 struct BumpTuning {
   int steps{400};            // cells that one bump may pass through
   double first_reach{0.02};  // part of the width: how far the first cell looks
-  std::size_t ways{40};      // directions around corners that are tried before a bump ends
-  double contact{4};         // lattice units: nearer sides count as touched
-  double least_gain{2};      // lattice units: smaller gains are rounding
+  // A bump across free space looks farther and farther.  When it meets something while it has more than this many
+  // pieces in view, it looks only that far again: every cell takes time for each of them.
+  std::size_t many_neighbours{24};
+  std::size_t ways{40};  // directions around corners that are tried before a bump ends
+  double contact{4};     // lattice units: nearer sides count as touched
+  double least_gain{2};  // lattice units: smaller gains are rounding
 };
 
 struct RelaxTuning {

@@ -59,10 +59,13 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     const double gain = -solution.objective;
     const bool gains = gain >= tuning.least_gain;
     Moves moves = model.moves(solution);
-    if (last) model.shorten(moves);
-    const bool rows_added = gains && !last && model.add_broken_rows(moves, gain);
-    const bool pieces_added = !last && model.add_pressed_pieces(solution);
-    if (rows_added || pieces_added) continue;
+    if (last) {
+      model.shorten(moves);
+    } else {
+      const bool rows_added = gains && model.add_broken_rows(moves, gain);
+      const bool pieces_added = model.add_pressed_pieces(solution);
+      if (rows_added || pieces_added) continue;
+    }
     if (!goal.fixes_length()) step.pressed = model.pressed_rows(solution);
     if (!gains) return ended(StepEnd::kNoGain);
 
