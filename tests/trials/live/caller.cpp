@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "tests/trials/live/error_codes.h"
+
 namespace selvage::trials {
 
 std::string call_text(const Json& id, const std::string& method, const Json& params) {
@@ -62,7 +64,9 @@ Json Caller::next_answer() {
 Json Caller::ask(const std::string& method, const Json& params) {
   const int id = send(method, params);
   Json answer = next_answer();
-  if (answer["id"] != id) throw std::runtime_error{method + " is answered by " + answer.dump()};
+  // A call that is dropped before it has been read, because there is no room for it, is answered with no id.
+  const bool dropped = answer["id"].is_null() && code_of(answer) == kNoRoom;
+  if (answer["id"] != id && !dropped) throw std::runtime_error{method + " is answered by " + answer.dump()};
   return answer;
 }
 
