@@ -9,18 +9,6 @@ namespace {
 
 constexpr float kFar = 1e9F;  // model units: coordinate of the padding
 
-float lowest_of(const Lanes& lanes) {
-  float lowest = lanes[0];
-  for (std::size_t k = 1; k < kLanes; ++k) lowest = std::min(lowest, lanes[k]);
-  return lowest;
-}
-
-bool odd(const LaneMask& parity) {
-  std::int32_t all = 0;
-  for (std::size_t k = 0; k < kLanes; ++k) all ^= parity[k];
-  return all != 0;
-}
-
 }  // namespace
 
 void Boundary::add(float from_x, float from_y, float to_x, float to_y) {

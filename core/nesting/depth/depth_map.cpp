@@ -150,12 +150,4 @@ std::size_t DepthMap::bytes() const {
   return sizeof(DepthMap) + boundary_.bytes() + 2 * samples_.size() * sizeof samples_[0];
 }
 
-MapFrame frame_of(Symmetry symmetry, bool negated) {
-  const Symmetry inverse = symmetry.inverse();
-  const Vec x = inverse.apply({1, 0});
-  const Vec y = inverse.apply({0, 1});
-  const float sign = negated ? -1.0F : 1.0F;
-  return {x.x == 0, sign * static_cast<float>(x.x + y.x), sign * static_cast<float>(x.y + y.y)};
-}
-
 }  // namespace selvage::nesting::depth

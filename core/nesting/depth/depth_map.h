@@ -85,8 +85,6 @@ struct MapFrame {
   [[nodiscard]] float map_x(float x, float y) const { return sign_x * (exchanged ? y : x); }
   [[nodiscard]] float map_y(float x, float y) const { return sign_y * (exchanged ? x : y); }
 };
-// The frame of a map that is placed under `symmetry`; `negated`: the map is that of the opposite relative position.
-[[nodiscard]] MapFrame frame_of(Symmetry symmetry, bool negated);
 
 // A map and how it is read.
 struct MapView {

@@ -1,5 +1,6 @@
 #include "core/nesting/depth/depth_maps.h"
 
+#include <array>
 #include <utility>
 
 #include "core/minkowski/sum.h"
@@ -8,6 +9,29 @@ namespace selvage::nesting::depth {
 namespace {
 
 constexpr std::size_t kSymmetries = 8;
+
+// The frame of a map that is placed under `symmetry`; `negated`: the map is that of the opposite relative position.
+constexpr MapFrame frame_of(Symmetry symmetry, bool negated) {
+  const Symmetry inverse = symmetry.inverse();
+  const Vec x = inverse.apply({1, 0});
+  const Vec y = inverse.apply({0, 1});
+  const float sign = negated ? -1.0F : 1.0F;
+  return {x.x == 0, sign * static_cast<float>(x.x + y.x), sign * static_cast<float>(x.y + y.y)};
+}
+
+// By symmetry, and by whether the map is negated.
+constexpr auto kFrames = [] {
+  std::array<std::array<MapFrame, 2>, kSymmetries> frames{};
+  for (const bool flips : {false, true}) {
+    for (int quarters = 0; quarters < 4; ++quarters) {
+      const Symmetry symmetry{flips, quarters};
+      for (const bool negated : {false, true}) {
+        frames[static_cast<std::size_t>(symmetry.index())][negated ? 1 : 0] = frame_of(symmetry, negated);
+      }
+    }
+  }
+  return frames;
+}();
 
 }  // namespace
 
@@ -29,7 +53,7 @@ MapView DepthMaps::view(const layout::Turned& first, const layout::Turned& secon
     map = make(base.outline, other.outline, relative);
     bytes_ += map->bytes();
   }
-  return {map.get(), frame_of(base.symmetry, negated)};
+  return {map.get(), kFrames[static_cast<std::size_t>(base.symmetry.index())][negated ? 1 : 0]};
 }
 
 std::unique_ptr<DepthMap> DepthMaps::make(std::uint32_t first, std::uint32_t second, Symmetry relative) const {

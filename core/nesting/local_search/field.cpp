@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kRuledOut = std::numeric_limits<float>::max();  // of cells without an allowed position
 
-SELVAGE_FOR_EACH_PROCESSOR float lowest_of(const float* values, std::size_t count) {
+SELVAGE_FOR_EACH_PROCESSOR float lowest_value(const float* values, std::size_t count) {
   depth::Lanes low{};
   low += std::numeric_limits<float>::max();
   std::size_t k = 0;
@@ -22,10 +22,27 @@ SELVAGE_FOR_EACH_PROCESSOR float lowest_of(const float* values, std::size_t coun
     std::memcpy(&next, values + k, sizeof next);
     low = next < low ? next : low;
   }
-  float lowest = std::numeric_limits<float>::max();
-  for (std::size_t lane = 0; lane < depth::kLanes; ++lane) lowest = std::min(lowest, low[lane]);
+  float lowest = depth::lowest_of(low);
   for (; k < count; ++k) lowest = std::min(lowest, values[k]);
   return lowest;
+}
+
+// The first of the values from `first` on that equals `wanted`; `count` when none does.
+SELVAGE_FOR_EACH_PROCESSOR std::size_t find_value(const float* values, std::size_t first, std::size_t count,
+                                                  float wanted) {
+  std::size_t k = first;
+  for (; k + depth::kLanes <= count; k += depth::kLanes) {
+    depth::Lanes next;
+    std::memcpy(&next, values + k, sizeof next);
+    if (depth::any_of(next == wanted)) break;
+  }
+  while (k < count && values[k] != wanted) ++k;
+  return k;
+}
+
+// std::lround without a call.
+int nearest_integer(double value) {
+  return static_cast<int>(value + (value < 0 ? -0.5 : 0.5));
 }
 
 // How one axis of the field runs through an axis of the grid: field cell k reads grid cell first + sign * k.
@@ -34,7 +51,7 @@ struct Overlap1D {
   int grid{};          // the grid cell that `begin` reads
 };
 Overlap1D overlap_of(double offset, float sign, int grid_first, int grid_cells, int field_cells) {
-  const int first = static_cast<int>(std::lround(sign * offset)) - grid_first;
+  const int first = nearest_integer(sign * offset) - grid_first;
   if (sign > 0) {
     const int begin = std::max(0, -first);
     return {begin, std::min(field_cells, grid_cells - first), first + begin};
@@ -144,16 +161,16 @@ layout::Place Field::place_at(std::size_t column, std::size_t row) const {
 }
 
 void Field::append_lowest(std::size_t rows, layout::Dice& dice, std::vector<Candidate>& candidates) const {
-  std::vector<std::pair<float, std::size_t>> lowest;
-  for (std::size_t row = 0; row < rows_; ++row) lowest.emplace_back(lowest_of(&values_[row * columns_], columns_), row);
+  std::vector<std::pair<float, std::size_t>> lowest(rows_);
+  for (std::size_t row = 0; row < rows_; ++row) lowest[row] = {lowest_value(&values_[row * columns_], columns_), row};
   const std::size_t wanted = std::min(rows, lowest.size());
   std::partial_sort(lowest.begin(), lowest.begin() + static_cast<std::ptrdiff_t>(wanted), lowest.end());
   for (std::size_t k = 0; k < wanted; ++k) {
     const auto [value, row] = lowest[k];
     if (value == kRuledOut) break;
     const float* const values = &values_[row * columns_];
-    std::size_t column = dice.below(columns_);  // of several equally low places, a random one
-    while (values[column] != value) column = column + 1 == columns_ ? 0 : column + 1;
+    std::size_t column = find_value(values, dice.below(columns_), columns_, value);  // of several, a random one
+    if (column == columns_) column = find_value(values, 0, columns_, value);
     candidates.push_back({value, place_at(column, row)});
   }
 }

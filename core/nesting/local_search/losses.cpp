@@ -76,10 +76,15 @@ float Losses::pair_loss(const layout::Layout& layout, std::size_t first, std::si
 void Losses::reweigh() {
   const float largest = *std::max_element(losses_.begin(), losses_.end());
   if (largest <= 0) return;
-  for (std::size_t k = 0; k < losses_.size(); ++k) {
-    if (losses_[k] == 0 && weights_[k] == 1) continue;  // so it is with most pairs of many pieces, and stays
-    const double factor = losses_[k] == 0 ? decay_ : growth_ + extra_growth_ * losses_[k] / largest;
-    weights_[k] = std::clamp(static_cast<float>(weights_[k] * factor), 1.0F, kMostWeight);
+  for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t j = i + 1; j < size_; ++j) {
+      const float loss = losses_[i * size_ + j];
+      float& weight = weights_[i * size_ + j];
+      if (loss == 0 && weight == 1) continue;  // so it is with most pairs of many pieces, and stays
+      const double factor = loss == 0 ? decay_ : growth_ + extra_growth_ * loss / largest;
+      weight = std::clamp(static_cast<float>(weight * factor), 1.0F, kMostWeight);
+      weights_[j * size_ + i] = weight;
+    }
   }
 }
 

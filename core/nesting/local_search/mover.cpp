@@ -39,6 +39,7 @@ Mover::Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses
 }
 
 void Mover::move(layout::Layout& layout, std::size_t piece) {
+  neighbourhood_.take(layout);
   Candidate best = stay(layout, piece);
   collect(layout, piece);
   pick();

@@ -14,11 +14,15 @@ void Neighbourhood::gather(const layout::Layout& layout, std::size_t piece, cons
   near_.clear();
   kept_reach_ = 0;
   const layout::Turned& own = set_->kind(piece).turned[place.turn];
-  for (std::size_t other = 0; other < set_->size(); ++other) {
+  const layout::RealBox box{own.box.low_x + place.x, own.box.low_y + place.y, own.box.high_x + place.x,
+                            own.box.high_y + place.y};
+  const double apart = reach + maps_->scale().pixel;
+  boxes_.find_near(box, set_->widest + apart, candidates_);
+  for (const std::uint32_t other : candidates_) {
     if (other == piece) continue;
     const layout::Place& at = layout.places[other];
     const layout::Turned& theirs = set_->kind(other).turned[at.turn];
-    if (!may_meet(*set_, theirs, at, own, place, reach + maps_->scale().pixel)) continue;
+    if (!may_meet(*set_, theirs, at, own, place, apart)) continue;
     const double x = place.x - at.x;
     const double y = place.y - at.y;
     const depth::MapView view = maps_->view(theirs, own);

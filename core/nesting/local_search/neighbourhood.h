@@ -11,6 +11,7 @@
 
 #include "core/nesting/depth/depth_maps.h"
 #include "core/nesting/layout/layout.h"
+#include "core/nesting/layout/placed_boxes.h"
 #include "core/nesting/local_search/losses.h"
 
 namespace selvage::nesting::local_search {
@@ -19,8 +20,10 @@ class Neighbourhood {
  public:
   // REQUIRES: all of them outlive the neighbourhood.
   Neighbourhood(const layout::PieceSet& set, depth::DepthMaps& maps, const Losses& losses)
-      : set_{&set}, maps_{&maps}, losses_{&losses} {}
+      : set_{&set}, maps_{&maps}, losses_{&losses}, boxes_{set} {}
 
+  // Call this after pieces have moved.
+  void take(const layout::Layout& layout) { boxes_.take(layout); }
   // Finds the pieces that the piece can touch at positions within `reach` of the place, on either axis.
   void gather(const layout::Layout& layout, std::size_t piece, const layout::Place& place, double reach);
   // Keeps only the edges that matter within `reach` of the place, and only the pieces that have such edges.
@@ -45,6 +48,8 @@ class Neighbourhood {
   const layout::PieceSet* set_;
   depth::DepthMaps* maps_;
   const Losses* losses_;
+  layout::PlacedBoxes boxes_;
+  std::vector<std::uint32_t> candidates_;
   std::vector<Near> near_;
   std::vector<depth::Boundary> kept_;  // reused from one descent to the next
   double kept_reach_{};                // 0: no edges are kept
