@@ -22,9 +22,10 @@ class Neighbourhood {
   Neighbourhood(const layout::PieceSet& set, depth::DepthMaps& maps, const Losses& losses)
       : set_{&set}, maps_{&maps}, losses_{&losses}, boxes_{set} {}
 
-  // Call this after pieces have moved.
+  // Takes in where the pieces lie.
   void take(const layout::Layout& layout) { boxes_.take(layout); }
   // Finds the pieces that the piece can touch at positions within `reach` of the place, on either axis.
+  // REQUIRES: the layout has been taken in, and no other piece has moved since.
   void gather(const layout::Layout& layout, std::size_t piece, const layout::Place& place, double reach);
   // Keeps only the edges that matter within `reach` of the place, and only the pieces that have such edges.
   void keep_edges(const layout::Place& place, double reach);

@@ -58,6 +58,7 @@ TEST(Field, ItsLowestPlacesHaveTheReportedLosses) {
     layout::Dice dice{1};
     Field field{scattered.set, scattered.maps};
     Neighbourhood neighbourhood{scattered.set, scattered.maps, scattered.losses};
+    neighbourhood.take(scattered.layout);
     for (std::uint32_t turn = 0; turn < scattered.set.kind(0).turned.size(); ++turn) {
       if (!field.compute(scattered.layout, 0, turn, scattered.all, scattered.losses, FieldWeights::kGuided)) continue;
       std::vector<Candidate> candidates;
@@ -123,6 +124,8 @@ TEST(Neighbourhood, KeptEdgesGiveTheSameLosses) {
     Neighbourhood kept{scattered.set, scattered.maps, scattered.losses};
     const layout::Place place = scattered.layout.places[0];
     constexpr double kReach = 6;
+    whole.take(scattered.layout);
+    kept.take(scattered.layout);
     whole.gather(scattered.layout, 0, place, kReach);
     kept.gather(scattered.layout, 0, place, kReach);
     kept.keep_edges(place, kReach);
