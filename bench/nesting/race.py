@@ -54,7 +54,7 @@ def instance_without_solution(path, kept):
 
 def nest(arguments, program, instance, seconds, seed, out):
     if program == "selvage":
-        command = [arguments.selvage, "nest", instance, "--time", str(seconds), "--seed", str(seed), "-o", out]
+        command = [arguments.selvage, "nest", instance, "--time", str(seconds), "--threads", "1", "--seed", str(seed), "-o", out]
     else:
         command = [python_with_spyrrow(arguments.kept), HERE / "run_spyrrow.py", instance, str(seconds), str(seed), out]
     done = subprocess.run(command, env={"LD_PRELOAD": str(clock_of(arguments.kept)), "PATH": "/usr/bin:/bin"},

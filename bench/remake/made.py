@@ -43,8 +43,8 @@ def source_of(options, garment):
 
 def nest(options, order, seconds, out):
     """Nests the order from nothing, by the clock of the processor, and returns what the command prints."""
-    command = [options.programs / "selvage", "nest", order, "--from-scratch", "--time", seconds, "--seed", 1, "--json", "-o", out,
-               "--format", "native"]
+    command = [options.programs / "selvage", "nest", order, "--from-scratch", "--time", seconds, "--threads", 1, "--seed", 1, "--json",
+               "-o", out, "--format", "native"]
     environment = {**os.environ, "LD_PRELOAD": str(nesters.clock_of(options.kept))}
     return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True, env=environment).stdout
 

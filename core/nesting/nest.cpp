@@ -176,7 +176,9 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
   Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
-  local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search};
+  const std::size_t map_bytes =
+      std::min(tuning.map_bytes, tuning.all_map_bytes / std::max<std::size_t>(1, task.settings.searches));
+  local_search::GuidedSearch guided{task.set, seed, map_bytes, tuning.search};
   const auto begin = [&] {
     auto exploration = std::make_unique<Exploration>(task.set, task.first, guided, tuning, budget, end, run, on_better);
     exploration->begin(to_layout(task.set, from), kept);

@@ -70,7 +70,9 @@ std::vector<Option> file_options() {
        .choices = {std::begin(protocol::files::kFileFormatNames), std::end(protocol::files::kFileFormatNames)}},
       {.name = "--threads",
        .kind = Kind::kInteger,
-       .meaning = "Number of threads, by default as many as there are cores; it does not affect the result",
+       .meaning =
+           "Number of threads, by default as many as there are cores; it does not affect the result, unless time is "
+           "limited",
        .standard = cores,
        .range = command_line::Range{1, 256}},
   };

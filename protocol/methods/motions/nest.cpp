@@ -1,6 +1,9 @@
 // marker.nest: places all pieces, also those that do not lie on the cloth yet.
 #include "core/nesting/nest.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,16 +18,18 @@ constexpr double kMostSearches = 64;
 struct NestParams {
   calls::CommonParams call;
   NestEffort effort;
-  std::size_t searches{1};
+  std::optional<std::size_t> searches;
   bool keep_placed{}, from_scratch{};
   std::optional<std::vector<PieceValue>> values;
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
     v.part(self.effort);
-    v.optional("searches", self.searches,
-               "Number of independent searches, 1 to 64, which run in parallel; the best result is used.",
-               {.range = {{1, kMostSearches}}});
+    v.optional(
+        "searches", self.searches,
+        "Number of independent searches, 1 to 64, which run in parallel; the best result is used.  When absent, as "
+        "many as there are threads to spare, at most 16, if a time is given, and 1 otherwise.",
+        {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,
                "True: pieces that lie on the cloth stay there, except for compaction; false: they are nested again.");
     v.optional(
@@ -48,7 +53,14 @@ struct NestResult {
   }
 };
 
-Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker& start) {
+// With a limit in time, threads that are to spare make the marker shorter and take nothing from the first search.
+std::size_t searches_of(const NestParams& params, const nesting::NestSettings& settings, const Executor& executor) {
+  constexpr std::size_t kMostUnasked = 16;
+  if (params.searches) return *params.searches;
+  return settings.elapsed ? std::min(executor.parallelism(), kMostUnasked) : 1;
+}
+
+Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker& start, const Executor& executor) {
   auto budget = budget_of(params.effort);
   if (!budget) return budget.error();
   auto values = values_of(params.values, start);
@@ -57,7 +69,7 @@ Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker
   settings.moves = budget->moves;
   settings.elapsed = std::move(budget->elapsed);
   settings.values = *std::move(values);
-  settings.searches = params.searches;
+  settings.searches = searches_of(params, settings, executor);
   settings.seed = params.effort.seed;
   settings.from_scratch = params.from_scratch;
   if (params.keep_placed) settings.placed = nesting::layout::PlacedPiecesMay::kNotMove;
@@ -70,7 +82,7 @@ Result<calls::Motion<NestResult>> run_nest(const NestParams& params, const Marke
     return Error{ErrorCode::kOutOfRange, "fromScratch and keepPlaced are both true; at most one of them may be true",
                  "/fromScratch"};
   }
-  const auto settings = settings_of(params, start);
+  const auto settings = settings_of(params, start, *context.run.executor);
   if (!settings) return settings.error();
   auto done = nest(start, *settings, context.run);
   if (!done) return done.error();

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
+#include "core/base/executor.h"
 #include "protocol/calls/answer.h"
 #include "protocol/calls/motion.h"
 #include "tests/protocol/formats/samples.h"
@@ -19,14 +21,14 @@ struct Ran {
   std::optional<Error> error;
   rpc::RpcCode code{};
 };
-Ran ran(const char* name, const Json& document, Json params) {
+Ran ran(const char* name, const Json& document, Json params, const Executor& executor = serial()) {
   params["markerId"] = "m1";
   const calls::Method& method = *find_method(name);
   const auto call = method.read(params);
   if (!call) return {{}, call.error(), rpc::RpcCode::kInvalidParams};
   const MarkerFile file = test::read(document);
   SumCache sums;
-  auto answer = call->run(file, calls::MethodContext{scene::Run{sums}});
+  auto answer = call->run(file, calls::MethodContext{scene::Run{.sums = sums, .executor = &executor}});
   if (!answer) return {{}, answer.error(), code_of_run(method, answer.error())};
   return {*std::move(answer), {}, {}};
 }
@@ -318,6 +320,33 @@ TEST(Motions, TimesComeLastAndOnlyOnRequest) {
       json::to_text(calls::result_json("m1", 3, fields)).find(R"({"markerId":"m1","revision":3,"valid":true,"ms":{)"),
       0u);
   EXPECT_TRUE(fields.contains("cache"));
+}
+
+// Has threads to spare, and notes how many parts it was given at once.
+class Counting : public Executor {
+ public:
+  explicit Counting(std::size_t threads) : threads_{threads} {}
+  [[nodiscard]] std::size_t parallelism() const override { return threads_; }
+  void for_each(std::size_t count, const Part& part) const override {
+    most = std::max(most, count);
+    for (std::size_t k = 0; k < count; ++k) part(k);
+  }
+  mutable std::size_t most{};
+
+ private:
+  std::size_t threads_;
+};
+
+TEST(Nesting, SearchesOnAllSpareThreadsWhenOnlyTimeIsLimited) {
+  const auto searches = [](std::size_t threads, const char* params) {
+    const Counting executor{threads};
+    EXPECT_TRUE(ran("marker.nest", test::native_squares(), json(params), executor).answer) << params;
+    return executor.most;
+  };
+  EXPECT_EQ(searches(5, R"({"seconds":0})"), 5u);
+  EXPECT_EQ(searches(40, R"({"seconds":0})"), 16u);
+  EXPECT_EQ(searches(5, R"({"seconds":0,"searches":2})"), 2u);
+  EXPECT_EQ(searches(5, R"({"moves":10})"), 1u);
 }
 
 TEST(MarkerGet, InAFormatThatCannotExpressTheMarkerIsAnInvalidParameter) {
