@@ -44,7 +44,7 @@ void DepthMap::sample() {
   first_row_ = static_cast<int>(std::floor(low_y_ / pixel)) - 1;
   columns_ = static_cast<int>(std::ceil(high_x_ / pixel)) + 2 - first_column_;
   rows_ = static_cast<int>(std::ceil(high_y_ / pixel)) + 2 - first_row_;
-  samples_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 2 * kLanes, kOutside);
+  samples_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kOutside);
   for (int row = 0; row < rows_; ++row) mark_inside(row);
   Boundary near;
   std::vector<float> squared;
@@ -54,6 +54,7 @@ void DepthMap::sample() {
       sample_block(column, row, near);
     }
   }
+  keep_overlaps();
 }
 
 // Between the first crossing of the row with the boundary and the second, and so on.
@@ -108,18 +109,62 @@ float DepthMap::decoded(std::int16_t sample) const {
   return sample > 0 ? value - scale_.charge : value;
 }
 
-DepthMap::Grid DepthMap::transposed() {
-  if (transposed_.empty()) {
-    transposed_.resize(samples_.size());
-    const auto columns = static_cast<std::size_t>(columns_);
-    const auto rows = static_cast<std::size_t>(rows_);
-    for (std::size_t row = 0; row < rows; ++row) {
-      for (std::size_t column = 0; column < columns; ++column) {
-        transposed_[kLanes + column * rows + row] = samples_[kLanes + row * columns + column];
-      }
+void DepthMap::keep_overlaps() {
+  int low_column = columns_, low_row = rows_, high_column = -1, high_row = -1;
+  std::int16_t most = 1;
+  for (int row = 0; row < rows_; ++row) {
+    for (int column = 0; column < columns_; ++column) {
+      const std::int16_t sample = samples_[index_of(column, row)];
+      if (sample <= 0) continue;
+      most = std::max(most, sample);
+      low_column = std::min(low_column, column);
+      high_column = std::max(high_column, column);
+      low_row = std::min(low_row, row);
+      high_row = row;
     }
   }
-  return {transposed_.data() + kLanes, first_row_, first_column_, rows_, columns_};
+  const bool none = high_row < 0;
+  overlapping_ = none ? Part{} : Part{low_column, low_row, high_column + 1 - low_column, high_row + 1 - low_row};
+  constexpr int kMost = std::numeric_limits<std::uint8_t>::max();
+  overlap_unit_ = static_cast<float>(most) / kMost * scale_.pixel * kSample;
+  overlaps_.reserve(3 * kLanes + static_cast<std::size_t>(overlapping_.columns * overlapping_.rows));
+  overlaps_.assign(kLanes, 0);
+  for (int row = 0; row < overlapping_.rows; ++row) {
+    for (int column = 0; column < overlapping_.columns; ++column) {
+      const int sample = std::max<int>(0, samples_[index_of(low_column + column, low_row + row)]);
+      overlaps_.push_back(static_cast<std::uint8_t>((sample * kMost + most - 1) / most));
+    }
+  }
+  overlaps_.resize(overlaps_.size() + 2 * kLanes);
+}
+
+DepthMap::Overlaps DepthMap::overlaps() const {
+  return {overlaps_.data() + kLanes,
+          first_column_ + overlapping_.first_column,
+          first_row_ + overlapping_.first_row,
+          overlapping_.columns,
+          overlapping_.rows,
+          overlap_unit_};
+}
+
+DepthMap::Overlaps DepthMap::transposed_overlaps() {
+  const Overlaps upright = overlaps();
+  if (transposed_.empty()) {
+    transposed_.reserve(overlaps_.size());
+    transposed_.assign(kLanes, 0);
+    for (int column = 0; column < upright.columns; ++column) {
+      for (int row = 0; row < upright.rows; ++row) {
+        transposed_.push_back(upright.samples[row * upright.columns + column]);
+      }
+    }
+    transposed_.resize(overlaps_.size());
+  }
+  return {transposed_.data() + kLanes,
+          upright.first_row,
+          upright.first_column,
+          upright.rows,
+          upright.columns,
+          upright.unit};
 }
 
 float DepthMap::depth(float x, float y) const {
@@ -147,7 +192,7 @@ float DepthMap::rough_depth(float x, float y) const {
 }
 
 std::size_t DepthMap::bytes() const {
-  return sizeof(DepthMap) + boundary_.bytes() + 2 * samples_.size() * sizeof samples_[0];
+  return sizeof(DepthMap) + boundary_.bytes() + samples_.size() * sizeof samples_[0] + 2 * overlaps_.size();
 }
 
 }  // namespace selvage::nesting::depth

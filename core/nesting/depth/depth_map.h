@@ -1,9 +1,10 @@
 // How deep a piece overlaps another one, for every relative position: the signed distance to the boundary of their
 // Minkowski sum, positive inside [Li94 3.1, 7.1]; the penetration depth of [IYN09] and [UYI+09].
 //
-// A map holds the distance twice: as the sum's boundary, from which it is computed exactly, and sampled on a grid, from
-// which the field of a whole strip is added up (field.h).  A map is that of one relative orientation up to the eight
-// exact symmetries of the lattice; it is turned when it is read.
+// A map holds the distance as the sum's boundary, from which it is computed exactly, and sampled on a grid.  A second,
+// smaller grid holds the overlaps alone, in a byte each: from these grids of many maps, which do not fit in a
+// processor's caches, the field of a whole strip is added up (field.h).  A map is that of one relative orientation up
+// to the eight exact symmetries of the lattice; it is turned when it is read.
 // Units: model units, positions in the map's own frame.
 #pragma once
 
@@ -40,14 +41,24 @@ class DepthMap {
   }
 
   // The grid: sample (column, row) is that of the point ((first_column + column) * pixel, (first_row + row) * pixel).
-  // Positive samples include the charge.  kLanes samples before the first one and after the last one may be read.
+  // Positive samples include the charge.
   struct Grid {
     const std::int16_t* samples{};  // row after row
     int first_column{}, first_row{}, columns{}, rows{};
   };
-  [[nodiscard]] Grid grid() const { return {samples_.data() + kLanes, first_column_, first_row_, columns_, rows_}; }
-  // The grid with x and y exchanged, made when it is asked for first.
-  [[nodiscard]] Grid transposed();
+  [[nodiscard]] Grid grid() const { return {samples_.data(), first_column_, first_row_, columns_, rows_}; }
+
+  // The part of the grid that holds the positive samples, in units of which the largest one has 255; they are rounded
+  // up, so that all stay positive, and the others are 0.  kLanes samples before the first one and twice as many after
+  // the last one may be read.
+  struct Overlaps {
+    const std::uint8_t* samples{};  // row after row
+    int first_column{}, first_row{}, columns{}, rows{};
+    float unit{};  // model units
+  };
+  [[nodiscard]] Overlaps overlaps() const;
+  // The same with x and y exchanged, made when it is asked for first.
+  [[nodiscard]] Overlaps transposed_overlaps();
 
   [[nodiscard]] const Boundary& boundary() const { return boundary_; }
   [[nodiscard]] float clearance() const { return clearance_; }
@@ -59,12 +70,12 @@ class DepthMap {
   void sample();
   void mark_inside(int row);
   void keep_near(int column, int row, std::vector<float>& squared, Boundary& near) const;
+  void keep_overlaps();
   void sample_block(int first_column, int first_row, const Boundary& near);
   [[nodiscard]] float x_of(int column) const { return static_cast<float>(first_column_ + column) * scale_.pixel; }
   [[nodiscard]] float y_of(int row) const { return static_cast<float>(first_row_ + row) * scale_.pixel; }
   [[nodiscard]] std::size_t index_of(int column, int row) const {
-    return kLanes + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-           static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
   }
   [[nodiscard]] std::int16_t encoded(float signed_depth) const;
   [[nodiscard]] float decoded(std::int16_t sample) const;
@@ -74,7 +85,12 @@ class DepthMap {
   MapScale scale_;
   float low_x_{}, low_y_{}, high_x_{}, high_y_{};  // the box outside of which the depth is 0
   int first_column_{}, first_row_{}, columns_{}, rows_{};
-  std::vector<std::int16_t> samples_, transposed_;  // with kLanes more at both ends
+  std::vector<std::int16_t> samples_;
+  struct Part {
+    int first_column{}, first_row{}, columns{}, rows{};  // of the grid
+  } overlapping_;                                        // where samples are positive
+  float overlap_unit_{};
+  std::vector<std::uint8_t> overlaps_, transposed_;  // kLanes of nothing, the samples, and twice as many of nothing
 };
 
 // From the relative position of two pieces on the strip to a map's frame.

@@ -79,7 +79,7 @@ bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32
   find_readings(layout, piece, others, losses, weights);
   blocks_.clear();
   for (const Reading& reading : readings_) append_block(reading);
-  depth::add_positive(blocks_);
+  depth::add_blocks(blocks_);
   piece_ = piece;
   if (set_->kind(piece).matched) leave_out_unmatched();
   return true;
@@ -132,7 +132,8 @@ void Field::find_readings(const layout::Layout& layout, std::size_t piece, const
 
 void Field::append_block(const Reading& reading) {
   const depth::MapFrame& frame = reading.view.frame;
-  const depth::DepthMap::Grid grid = frame.exchanged ? reading.view.map->transposed() : reading.view.map->grid();
+  depth::DepthMap& map = *reading.view.map;
+  const depth::DepthMap::Overlaps grid = frame.exchanged ? map.transposed_overlaps() : map.overlaps();
   const float sign_x = frame.exchanged ? frame.sign_y : frame.sign_x;
   const float sign_y = frame.exchanged ? frame.sign_x : frame.sign_y;
   const double pixel = maps_->scale().pixel;
@@ -149,7 +150,7 @@ void Field::append_block(const Reading& reading) {
        .columns = across.end - across.begin,
        .rows = up.end - up.begin,
        .backwards = sign_x < 0,
-       .weight = reading.weight * static_cast<float>(pixel) * depth::DepthMap::kSample});
+       .weight = reading.weight * grid.unit});
 }
 
 layout::Place Field::place_at(std::size_t column, std::size_t row) const {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/geometry/distance.h"
 #include "core/geometry/overlap.h"
@@ -106,14 +108,11 @@ TEST(DepthMap, ItsGridHoldsTheChargedDepths) {
   for (int trial = 0; trial < 20; ++trial) {
     const Marker marker = two_shapes(random);
     Pair pair{marker};
-    DepthMap& map = *pair.maps.view(pair.turned(0, 0), pair.turned(1, 0)).map;
+    const DepthMap& map = *pair.maps.view(pair.turned(0, 0), pair.turned(1, 0)).map;
     const DepthMap::Grid grid = map.grid();
-    const DepthMap::Grid transposed = map.transposed();
-    ASSERT_EQ(grid.columns, transposed.rows);
     for (int row = 0; row < grid.rows; ++row) {
       for (int column = 0; column < grid.columns; ++column) {
         const std::int16_t sample = grid.samples[row * grid.columns + column];
-        EXPECT_EQ(sample, transposed.samples[column * transposed.columns + row]);
         const float depth = map.depth(static_cast<float>(grid.first_column + column) * kScale.pixel,
                                       static_cast<float>(grid.first_row + row) * kScale.pixel);
         const float read = static_cast<float>(sample) * kScale.pixel * DepthMap::kSample;
@@ -121,6 +120,41 @@ TEST(DepthMap, ItsGridHoldsTheChargedDepths) {
         EXPECT_TRUE(read >= -0.1F || depth == 0) << "trial " << trial;
       }
     }
+  }
+}
+
+TEST(DepthMap, ItsOverlapsAreThePositiveSamplesRoundedUp) {
+  Random random{6};
+  for (int trial = 0; trial < 20; ++trial) {
+    const Marker marker = two_shapes(random);
+    Pair pair{marker};
+    DepthMap& map = *pair.maps.view(pair.turned(0, 0), pair.turned(1, 0)).map;
+    const DepthMap::Grid grid = map.grid();
+    const DepthMap::Overlaps overlaps = map.overlaps();
+    const DepthMap::Overlaps transposed = map.transposed_overlaps();
+    ASSERT_EQ(overlaps.columns, transposed.rows);
+    ASSERT_EQ(overlaps.first_row, transposed.first_column);
+    std::uint8_t most = 0;
+    for (int row = 0; row < grid.rows; ++row) {
+      for (int column = 0; column < grid.columns; ++column) {
+        const float sample =
+            static_cast<float>(grid.samples[row * grid.columns + column]) * kScale.pixel * DepthMap::kSample;
+        const int own_column = grid.first_column + column - overlaps.first_column;
+        const int own_row = grid.first_row + row - overlaps.first_row;
+        if (own_column < 0 || own_column >= overlaps.columns || own_row < 0 || own_row >= overlaps.rows) {
+          EXPECT_LE(sample, 0) << "trial " << trial;
+          continue;
+        }
+        const std::uint8_t overlap = overlaps.samples[own_row * overlaps.columns + own_column];
+        EXPECT_EQ(overlap, transposed.samples[own_column * transposed.columns + own_row]);
+        EXPECT_EQ(overlap > 0, sample > 0) << "trial " << trial;
+        const float read = static_cast<float>(overlap) * overlaps.unit;
+        EXPECT_TRUE(overlap == 0 || (read >= sample - 1e-3F && read < sample + 1.001F * overlaps.unit))
+            << "trial " << trial;
+        most = std::max(most, overlap);
+      }
+    }
+    EXPECT_EQ(most, 255);
   }
 }
 

@@ -17,14 +17,14 @@ using test::Random;
 constexpr std::ptrdiff_t kGridColumns = 37, kGridRows = 9;
 constexpr std::ptrdiff_t kFieldColumns = 53, kFieldRows = 12;
 
-std::vector<std::int16_t> random_grid(Random& random) {
-  std::vector<std::int16_t> samples(2 * kLanes + kGridColumns * kGridRows);
-  for (std::int16_t& sample : samples) sample = static_cast<std::int16_t>(static_cast<int>(random.below(2001)) - 1000);
+std::vector<std::uint8_t> random_grid(Random& random) {
+  std::vector<std::uint8_t> samples(3 * kLanes + kGridColumns * kGridRows);
+  for (std::uint8_t& sample : samples) sample = static_cast<std::uint8_t>(random.below(256));
   return samples;
 }
 
 // A block of random size somewhere in grid and field.
-GridBlock random_block(Random& random, const std::vector<std::int16_t>& samples, std::vector<float>& field) {
+GridBlock random_block(Random& random, const std::vector<std::uint8_t>& samples, std::vector<float>& field) {
   const auto below = [&](std::ptrdiff_t count) {
     return static_cast<std::ptrdiff_t>(random.below(static_cast<std::uint64_t>(count)));
   };
@@ -47,9 +47,9 @@ GridBlock random_block(Random& random, const std::vector<std::int16_t>& samples,
 void add_one_by_one(const GridBlock& block, std::ptrdiff_t offset, std::vector<float>& field) {
   for (std::ptrdiff_t row = 0; row < block.rows; ++row) {
     for (std::ptrdiff_t column = 0; column < block.columns; ++column) {
-      const std::int16_t sample = block.from[row * block.from_stride + (block.backwards ? -column : column)];
+      const std::uint8_t sample = block.from[row * block.from_stride + (block.backwards ? -column : column)];
       float& cell = field[static_cast<std::size_t>(offset + row * block.to_stride + column)];
-      if (sample > 0) cell += block.weight * static_cast<float>(sample);
+      cell += block.weight * static_cast<float>(sample);
     }
   }
 }
@@ -57,14 +57,14 @@ void add_one_by_one(const GridBlock& block, std::ptrdiff_t offset, std::vector<f
 TEST(GridBlock, AddsWhatEachCellHasToGetAndNothingElsewhere) {
   Random random{1};
   for (int trial = 0; trial < 300; ++trial) {
-    const std::vector<std::int16_t> one = random_grid(random), other = random_grid(random);
+    const std::vector<std::uint8_t> one = random_grid(random), other = random_grid(random);
     std::vector<float> field(kFieldColumns * kFieldRows + kLanes), expected = field;
     std::vector<GridBlock> blocks;
     for (std::uint64_t k = random.below(6); k > 0; --k) {
       blocks.push_back(random_block(random, k % 2 == 0 ? one : other, field));
       add_one_by_one(blocks.back(), blocks.back().to - field.data(), expected);
     }
-    add_positive(blocks);
+    add_blocks(blocks);
     ASSERT_EQ(field, expected);
   }
 }
