@@ -176,9 +176,7 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
   Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
-  const std::size_t map_bytes =
-      std::min(tuning.map_bytes, tuning.all_map_bytes / std::max<std::size_t>(1, task.settings.searches));
-  local_search::GuidedSearch guided{task.set, seed, map_bytes, tuning.search};
+  local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search};
   const auto begin = [&] {
     auto exploration = std::make_unique<Exploration>(task.set, task.first, guided, tuning, budget, end, run, on_better);
     exploration->begin(to_layout(task.set, from), kept);
@@ -236,6 +234,13 @@ Result<Marker> first_marker(const Start& start, const NestSettings& settings, co
       timed.run().quiet());
 }
 
+// The settings of each search, which has its share of the memory for maps.
+NestSettings of_each_search(NestSettings settings) {
+  NestTuning& tuning = settings.tuning;
+  tuning.map_bytes = std::min(tuning.map_bytes, tuning.all_map_bytes / std::max<std::size_t>(1, settings.searches));
+  return settings;
+}
+
 // All searches, which share nothing but what they report: so any number of threads gives the same results.
 std::vector<Searched> search_all(const Task& task, const std::function<double()>& elapsed, const scene::Run& run,
                                  Reporter& reporter) {
@@ -284,7 +289,8 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
   std::function<double()> elapsed = settings.elapsed;  // while pieces keep their tilts
   if (elapsed && turn) elapsed = [&settings] { return settings.elapsed() / settings.tuning.searched; };
   Reporter reporter{run.observer, kLatticeLimit};
-  const Task task{start->marker, *first, start->set, settings, values_of(start->marker, start->set, settings)};
+  const NestSettings of_search = of_each_search(settings);
+  const Task task{start->marker, *first, start->set, of_search, values_of(start->marker, start->set, settings)};
   auto searched = search_all(task, elapsed, run, reporter);
 
   Nesting nesting = best_of(searched);

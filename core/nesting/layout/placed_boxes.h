@@ -1,4 +1,4 @@
-// The boxes of all pieces where they lie, arranged so that those near a place are found quickly.
+// The boxes of all pieces where they lie, so that those near a place are found without a look at the pieces.
 // Units: model units.
 #pragma once
 

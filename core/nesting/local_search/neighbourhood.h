@@ -50,7 +50,7 @@ class Neighbourhood {
   depth::DepthMaps* maps_;
   const Losses* losses_;
   layout::PlacedBoxes boxes_;
-  std::vector<std::uint32_t> candidates_;
+  std::vector<std::uint32_t> candidates_;  // for near_, by their boxes
   std::vector<Near> near_;
   std::vector<depth::Boundary> kept_;  // reused from one descent to the next
   double kept_reach_{};                // 0: no edges are kept

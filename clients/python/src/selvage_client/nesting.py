@@ -81,8 +81,8 @@ def nest(
     """Places the pieces on cloth of this width, and makes the marker as short as it can within the budget.
 
     A bare outline stands for one copy that may not be rotated.  `seconds` and `moves` limit each of the `searches`; with
-    neither, the daemon's standard number of moves does.  With `seconds` there are as many searches as the daemon has
-    threads to spare, and otherwise one, unless you ask for another number.  `longest` is the length of the cloth, unlimited when absent.
+    neither, the daemon's standard number of moves does.  Unless you say how many searches there are, it is one or, with
+    `seconds`, as many as the daemon has threads to spare.  `longest` is the length of the cloth, unlimited when absent.
     `spacing` is the least distance between pieces, `margin` the least distance from the edges of the cloth.  Bad values
     raise the daemon's errors.
     """
