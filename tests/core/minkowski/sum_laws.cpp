@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "tests/support/polygons.h"
 
@@ -34,6 +36,29 @@ double nearest_of(RealVec p, const std::vector<Segment>& segments) {
   double least = std::numeric_limits<double>::infinity();
   for (const Segment& s : segments) least = std::min(least, distance(p, s));
   return least;
+}
+
+// The part of segment `e`, in distances from its start, that has `other` beside it, no farther than rounding.
+std::optional<std::pair<double, double>> part_beside(const Segment& e, const Segment& other) {
+  const double length = length_of(e);
+  const RealVec d{(e.second.x - e.first.x) / length, (e.second.y - e.first.y) / length};
+  const auto along_e = [&](RealVec p) { return d.x * (p.x - e.first.x) + d.y * (p.y - e.first.y); };
+  const auto off_e = [&](RealVec p) { return d.x * (p.y - e.first.y) - d.y * (p.x - e.first.x); };
+  double first = 0;  // the part of `other` near the line of `e`, as a range of along()
+  double last = 1;
+  const double start = off_e(other.first);
+  const double rise = off_e(other.second) - start;
+  if (rise == 0) {
+    if (std::abs(start) > kRounding) return std::nullopt;
+  } else {
+    const auto [low, high] = std::minmax({(-kRounding - start) / rise, (kRounding - start) / rise});
+    first = std::max(first, low);
+    last = std::min(last, high);
+    if (first > last) return std::nullopt;
+  }
+  const auto [from, to] = std::minmax({along_e(along(other, first)), along_e(along(other, last))});
+  if (to < 0 || from > length) return std::nullopt;
+  return std::pair{std::max(from, 0.0), std::min(to, length)};
 }
 
 std::string text_of(RealVec p) {
@@ -70,7 +95,7 @@ class Boundary {
     double serial = 0;
     for (std::size_t e = 0; e < ours_.size(); ++e) {
       whole += length_of(ours_[e]);
-      if (!has_parallel_neighbour(e)) serial += length_of(ours_[e]);
+      serial += length_alone(e);
     }
     const double exact = exact_.perimeter();
     const double rounding = 1e-6 * exact + 2 * kRounding * static_cast<double>(ours_.size() + exact_.boundary().size());
@@ -132,12 +157,22 @@ class Boundary {
     }
     return false;
   }
-  // True when another edge runs along this edge somewhere.
-  [[nodiscard]] bool has_parallel_neighbour(std::size_t e) const {
-    const auto has_neighbour = [&](double t) { return neighbour_within(kRounding, along(ours_[e], t), e); };
-    const double by_the_end = std::min(0.5, 16 / length_of(ours_[e]));
-    return std::any_of(std::begin(kSamples), std::end(kSamples), has_neighbour) || has_neighbour(by_the_end) ||
-           has_neighbour(1 - by_the_end);
+  // Length of the parts of edge e that no other edge runs along.
+  [[nodiscard]] double length_alone(std::size_t e) const {
+    const double length = length_of(ours_[e]);
+    std::vector<std::pair<double, double>> shared;
+    for (std::size_t k = 0; k < ours_.size(); ++k) {
+      if (k == e) continue;
+      if (const auto part = part_beside(ours_[e], ours_[k])) shared.push_back(*part);
+    }
+    std::sort(shared.begin(), shared.end());
+    double alone = 0;
+    double covered = 0;  // everything up to here has been looked at
+    for (const auto& [from, to] : shared) {
+      alone += std::max(0.0, from - covered);
+      covered = std::max(covered, to);
+    }
+    return alone + std::max(0.0, length - covered);
   }
 
   const minkowski::MinkowskiSum& sum_;
