@@ -23,8 +23,10 @@ using namespace std::chrono_literals;
 constexpr std::size_t kBudgetMb = 512;
 constexpr std::size_t kAddressSpaceMb = kBudgetMb * 6 / 5 + 256;  // with what the threads reserve and never touch
 constexpr double kMostResident = 1.2;                             // times the budget
-// Calls of the other client in each round: three rounds have a thousand; the p99 of one is that of a few calls.
+// Least calls of the other client in each half of a round: three rounds have a thousand; the p99 of one round is that
+// of a few calls.
 constexpr std::size_t kCallsOfARound = 350;
+constexpr auto kRest = 200ms;  // before each round, for what the daemon still does for clients that have left
 
 // A client that is not greedy.
 class Other {
@@ -32,10 +34,10 @@ class Other {
   explicit Other(const LiveDaemon& daemon) : caller_{daemon, Endpoint::kTcp} {
     marker_id_ = caller_.result("marker.open", {{"marker", Json::parse(garment("jeans_02g"))}})["markerId"];
   }
-  // Calls at least `enough` times and until `meanwhile` has returned, which is told whether those calls have been
+  // Makes the calls of a round, and more until `meanwhile` has returned, which is told whether those calls have been
   // answered.  Every call must be answered with a result.
   template <class Work>
-  Latencies measure(std::size_t enough, const Work& meanwhile, Faults& faults) {
+  Latencies measure(const Work& meanwhile, Faults& faults) {
     Latencies times;
     std::atomic<std::size_t> calls{};
     const auto call = [&](const std::stop_token& stop) {
@@ -49,9 +51,9 @@ class Other {
     };
     std::jthread thread{[&](const std::stop_token& stop) {
       faults.guard("the other client", [&] { call(stop); });
-      calls = enough;  // also if it has failed
+      calls = kCallsOfARound;  // also if it has failed
     }};
-    meanwhile([&] { return calls >= enough; });
+    meanwhile([&] { return calls >= kCallsOfARound; });
     thread.request_stop();
     thread.join();
     return times;
@@ -80,27 +82,27 @@ void be_greedy(const std::vector<GreedyClient>& clients, const LiveDaemon& daemo
   }
 }
 
-// On a daemon of their own; at least `rounds` times, and until the other client has made enough calls.
+// On a daemon of their own.  Each round measures the other client alone and then beside the greedy ones, so that a
+// machine whose speed changes meanwhile does so for both.
 void run_case(std::string_view name, const std::vector<GreedyClient>& clients, std::size_t rounds, Faults& faults) {
   LiveDaemon daemon{{"--workers", "2", "--memory", std::to_string(kBudgetMb)}};
   daemon.limit_address_space(kAddressSpaceMb << 20);
   Other other{daemon};
   Greed greed;
-  const std::size_t enough = rounds * kCallsOfARound;
-  const Latencies without = other.measure(
-      enough,
-      [](const auto& answered) {
-        while (!answered()) std::this_thread::sleep_for(10ms);
-      },
-      faults);
-  const Latencies with = other.measure(
-      enough,
-      [&](const auto& answered) {
-        for (std::size_t round = 0; round < rounds || !answered(); ++round) {
-          be_greedy(clients, daemon, greed, faults);
-        }
-      },
-      faults);
+  const auto wait = [](const auto& answered) {
+    while (!answered()) std::this_thread::sleep_for(10ms);
+  };
+  const auto be_greedy_until = [&](const auto& answered) {
+    do be_greedy(clients, daemon, greed, faults);
+    while (!answered());
+  };
+  Latencies without;
+  Latencies with;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    std::this_thread::sleep_for(kRest);
+    without.join(other.measure(wait, faults));
+    with.join(other.measure(be_greedy_until, faults));
+  }
   const double peak = daemon.resources().peak_mb;
   std::printf("%-13s resident at most %.0f MiB, %.2f of the budget; %zu results, %zu refusals, %zu hangups\n",
               name.data(), peak, peak / kBudgetMb, greed.results.load(), greed.refusals.load(), greed.hangups.load());
