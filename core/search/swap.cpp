@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/motion/repair/faults.h"
 #include "core/motion/separation/separate.h"
+#include "core/scene/scene.h"
 
 namespace selvage::search {
 namespace {
@@ -70,6 +72,17 @@ std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<cons
   return free[random() % free.size()];
 }
 
+// By how much pieces overlap or leave the strip, in total; lattice units.
+double total_depth(const Marker& marker, const scene::Run& run) {
+  const scene::Scene scene{marker, run};
+  double total = 0;
+  for (const motion::repair::Conflict& conflict : motion::repair::find_conflicts(scene, run))
+    total += conflict.target.depth;
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i)
+    total += static_cast<double>(motion::repair::protrusion(scene, i));
+  return total;
+}
+
 }  // namespace
 
 std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, std::span<const PieceId> critical,
@@ -101,10 +114,12 @@ std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, st
 
 SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
                           const scene::Run& run, const SwapTuning& tuning) {
+  const auto width = static_cast<double>(drawn.marker.strip.width);
+  if (total_depth(drawn.marker, run) > tuning.deepest * width) return {};
   const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
   motion::separation::SeparationSettings separation;
   separation.rounds = tuning.separation_rounds;
-  separation.grow = tuning.separation_growth * static_cast<double>(drawn.marker.strip.width) / length;
+  separation.grow = tuning.separation_growth * width / length;
   separation.solver = settings.solver;
   auto separated = separate(drawn.marker, separation, run);
   if (!separated) return {};

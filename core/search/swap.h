@@ -26,7 +26,8 @@ struct DrawnSwap {
                                                  std::span<const PieceId> critical = {}, const SwapTuning& tuning = {});
 
 struct SwapOutcome {
-  std::optional<Marker> marker;  // valid; none when the pieces could not be separated within the allowed growth
+  std::optional<Marker> marker;  // valid; none when the pieces overlap too deeply, or could not be separated within the
+                                 // allowed growth
   int programs{};                // linear programs solved
 };
 // Separates the overlapping pieces and compacts.  The answer may be a little longer than the marker was before.

@@ -14,8 +14,14 @@ namespace {
 motion::compaction::CompactionSettings quick_compaction(const RefineTuning& tuning) {
   motion::compaction::CompactionSettings quick = compaction_settings(motion::compaction::Accuracy::kStandard);
   quick.rounds = tuning.compaction_rounds;
+  quick.sweeps = false;        // they take longer than the rounds, and hardly ever gain here
   quick.solver_tolerance = 0;  // a marker that is only nearly as short must not count as one on the plateau
   return quick;
+}
+
+// A trial that solves no program takes about as long as an eighth of one.
+std::uint64_t work_of(int programs, std::size_t pieces) {
+  return programs == 0 ? pieces / 8 + 1 : static_cast<std::uint64_t>(programs) * pieces;
 }
 
 }  // namespace
@@ -45,7 +51,7 @@ void SwapSearch::search(Found& found, bool tilted, std::uint64_t until, Effort& 
         found = {*std::move(trial.outcome.marker), trial.length};
         find_critical(found.marker);
       }
-      effort.spend(static_cast<std::uint64_t>(programs) * found.marker.pieces.size(), found.length);
+      effort.spend(work_of(programs, found.marker.pieces.size()), found.length);
       report_(programs, kept);
       if (kept || over()) break;
     }
