@@ -229,6 +229,7 @@ Family search_family() {
        {"swap.partners", &SwapTuning::partners},
        {"swap.distance_weight", &SwapTuning::distance_weight},
        {"swap.deepest", &SwapTuning::deepest},
+       {"swap.deep_one_in", &SwapTuning::deep_one_in},
        {"swap.separation_rounds", &SwapTuning::separation_rounds},
        {"swap.separation_growth", &SwapTuning::separation_growth},
        {"swap.any_one_in", &SwapTuning::any_one_in}},

@@ -109,13 +109,13 @@ std::optional<DrawnSwap> draw_swap(const Marker& start, std::mt19937& random, st
     piece.at = piece.at + way;
     next.pieces[*j].at = next.pieces[*j].at - way;
   }
-  return DrawnSwap{std::move(next), pieces.length()};
+  return DrawnSwap{std::move(next), pieces.length(), random() % tuning.deep_one_in == 0};
 }
 
 SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
                           const scene::Run& run, const SwapTuning& tuning) {
   const auto width = static_cast<double>(drawn.marker.strip.width);
-  if (total_depth(drawn.marker, run) > tuning.deepest * width) return {};
+  if (!drawn.even_if_deep && total_depth(drawn.marker, run) > tuning.deepest * width) return {};
   const double length = static_cast<double>(std::max<Coord>(1, drawn.length));
   motion::separation::SeparationSettings separation;
   separation.rounds = tuning.separation_rounds;

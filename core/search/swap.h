@@ -17,7 +17,8 @@ namespace selvage::search {
 // A swap that has been drawn: the pieces are at their new positions, where they usually overlap others.
 struct DrawnSwap {
   Marker marker;
-  Coord length{};  // of the marker before the swap
+  Coord length{};       // of the marker before the swap
+  bool even_if_deep{};  // it is tried however deep the pieces overlap
 };
 // A random swap among the pieces that are free on both axes and in no group, mostly of two that have similar sizes and
 // lie near each other, and mostly of a piece of `critical`, if that names any.  It depends only on `random`, the marker

@@ -12,7 +12,8 @@ struct SwapTuning {
   unsigned jumps_one_in{2};       // of a piece that is matched to the cloth: one in this many moves it by a repeat
   std::size_t partners{8};        // partners of a piece that are drawn from: those that fit its place best
   double distance_weight{0.02};   // of the distance along the strip, relative to the difference of the boxes' sides
-  double deepest{0.16};           // part of the width: swaps are not tried when pieces overlap by more in total
+  double deepest{0.16};           // part of the width: when pieces overlap by more in total after a swap,
+  unsigned deep_one_in{8};        // one such swap in this many is tried: where few pieces are large, only these gain
   int separation_rounds{4};       // of separation after a swap: what takes longer hardly ever ends shorter
   double separation_growth{0.1};  // part of the width by which separation may lengthen the marker
   unsigned any_one_in{3};         // one trial in this many begins with any piece, the others with a critical one
