@@ -76,10 +76,12 @@ std::uint32_t drawn_piece(const std::vector<std::uint32_t>& free, std::span<cons
 double total_depth(const Marker& marker, const scene::Run& run) {
   const scene::Scene scene{marker, run};
   double total = 0;
-  for (const motion::repair::Conflict& conflict : motion::repair::find_conflicts(scene, run))
+  for (const motion::repair::Conflict& conflict : motion::repair::find_conflicts(scene, run)) {
     total += conflict.target.depth;
-  for (std::size_t i = 0; i < scene.pieces.size(); ++i)
+  }
+  for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
     total += static_cast<double>(motion::repair::protrusion(scene, i));
+  }
   return total;
 }
 

@@ -18,7 +18,7 @@ namespace selvage::search {
 struct DrawnSwap {
   Marker marker;
   Coord length{};       // of the marker before the swap
-  bool even_if_deep{};  // it is tried however deep the pieces overlap
+  bool even_if_deep{};  // it is tried even if the pieces overlap deeply
 };
 // A random swap among the pieces that are free on both axes and in no group, mostly of two that have similar sizes and
 // lie near each other, and mostly of a piece of `critical`, if that names any.  It depends only on `random`, the marker
@@ -31,7 +31,8 @@ struct SwapOutcome {
                                  // allowed growth
   int programs{};                // linear programs solved
 };
-// Separates the overlapping pieces and compacts.  The answer may be a little longer than the marker was before.
+// Separates the overlapping pieces and compacts, unless they overlap by more than SwapTuning::deepest and the swap was
+// not drawn to be tried even so.  The answer may be a little longer than the marker was before.
 // REQUIRES: the marker was valid before.
 [[nodiscard]] SwapOutcome complete_swap(const DrawnSwap& drawn, const motion::compaction::CompactionSettings& settings,
                                         const scene::Run& run, const SwapTuning& tuning = {});

@@ -33,7 +33,7 @@ class SwapSearch {
   // Trials in `found` until the effort is enough, or has reached `until`, or there is nothing to swap.  `tilted`:
   // trials that come close are tilted.
   void search(Found& found, bool tilted, std::uint64_t until, Effort& effort);
-  // True when RefineTuning::idle_trials in a row have found nothing to swap.
+  // True when RefineTuning::idle_trials in a row have found no swap, or only too deep ones.
   [[nodiscard]] bool exhausted() const { return idle_ >= tuning_.idle_trials; }
 
  private:

@@ -35,7 +35,7 @@ struct RefineTuning {
   double hope{3};                  // its rounds end when more than this many times what the last one gained is missing
   std::uint64_t turn{20'000};      // work after which swaps in the straight and in the tilted marker take turns
   double least_room{1e-6};         // part of the marker's area: a marker with less is full
-  std::uint64_t idle_trials{500};  // consecutive trials that solve no program end the swaps: there is nothing to swap
+  std::uint64_t idle_trials{500};  // consecutive trials that solve no program end the swaps: none is worth trying
   SwapTuning swap{};
   RenestingTuning renesting{};
   friend bool operator==(const RefineTuning&, const RefineTuning&) = default;

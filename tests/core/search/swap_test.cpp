@@ -8,7 +8,7 @@
 namespace selvage::search {
 namespace {
 
-// Two squares, one of which reaches this far into the other; there is room beside them.
+// Two squares that overlap by this much; the strip has room for both, one above the other.
 DrawnSwap overlapping(Coord depth) {
   test::Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(400, 400));
@@ -21,26 +21,26 @@ SwapOutcome completed(const DrawnSwap& drawn) {
   return complete_swap(drawn, compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
 }
 
-TEST(Swap, PartsPiecesThatOverlapALittle) {
+TEST(Swap, SeparatesPiecesThatOverlapALittle) {
   const SwapOutcome outcome = completed(overlapping(100));
   ASSERT_TRUE(outcome.marker);
   EXPECT_TRUE(is_valid(*outcome.marker));
   EXPECT_EQ(length_of(*outcome.marker), 400);
 }
 
-TEST(Swap, PartsDeepOverlapsOnlyWhenDrawnSo) {
+TEST(Swap, SeparatesDeepOverlapsOnlyIfTheSwapSaysSo) {
   DrawnSwap drawn = overlapping(200);
-  const SwapOutcome left = completed(drawn);
-  EXPECT_FALSE(left.marker);
-  EXPECT_EQ(left.programs, 0);
+  const SwapOutcome refused = completed(drawn);
+  EXPECT_FALSE(refused.marker);
+  EXPECT_EQ(refused.programs, 0);
   drawn.even_if_deep = true;
-  const SwapOutcome parted = completed(drawn);
-  ASSERT_TRUE(parted.marker);
-  EXPECT_TRUE(is_valid(*parted.marker));
-  EXPECT_GT(parted.programs, 0);
+  const SwapOutcome separated = completed(drawn);
+  ASSERT_TRUE(separated.marker);
+  EXPECT_TRUE(is_valid(*separated.marker));
+  EXPECT_GT(separated.programs, 0);
 }
 
-TEST(Swap, SomeSwapsAreDrawnHoweverDeep) {
+TEST(Swap, SomeSwapsAreTriedEvenIfDeep) {
   test::Layout layout{1000};
   layout.put(layout.shape_of(test::rectangle(300, 650)), {0, 0});
   layout.put(layout.shape_of(test::rectangle(300, 350)), {300, 0});

@@ -23,8 +23,8 @@ using namespace std::chrono_literals;
 constexpr std::size_t kBudgetMb = 512;
 constexpr std::size_t kAddressSpaceMb = kBudgetMb * 6 / 5 + 256;  // with what the threads reserve and never touch
 constexpr double kMostResident = 1.2;                             // times the budget
-// Least calls of the other client in each half of a round: three rounds have a thousand; the p99 of one round is that
-// of a few calls.
+// The other client makes at least this many calls in each half of a round: in three rounds a thousand.  The p99 of a
+// single round would depend on four calls.
 constexpr std::size_t kCallsOfARound = 350;
 constexpr auto kRest = 200ms;  // before each round, for what the daemon still does for clients that have left
 
@@ -93,8 +93,9 @@ void run_case(std::string_view name, const std::vector<GreedyClient>& clients, s
     while (!answered()) std::this_thread::sleep_for(10ms);
   };
   const auto be_greedy_until = [&](const auto& answered) {
-    do be_greedy(clients, daemon, greed, faults);
-    while (!answered());
+    do {
+      be_greedy(clients, daemon, greed, faults);
+    } while (!answered());
   };
   Latencies without;
   Latencies with;
