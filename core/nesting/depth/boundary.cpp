@@ -23,26 +23,29 @@ void Boundary::add(float from_x, float from_y, float to_x, float to_y) {
   ++edges;
 }
 
-void Boundary::add(const Boundary& other, std::size_t edge) {
-  ax.push_back(other.ax[edge]);
-  ay.push_back(other.ay[edge]);
-  dx.push_back(other.dx[edge]);
-  dy.push_back(other.dy[edge]);
-  inverse_square.push_back(other.inverse_square[edge]);
-  end_y.push_back(other.end_y[edge]);
-  run.push_back(other.run[edge]);
-  ++edges;
-}
-
 void Boundary::finish() {
   const std::size_t real = edges;
   while (ax.size() % kLanes != 0) add(kFar, kFar, kFar, kFar);
   edges = real;
 }
 
-void Boundary::clear() {
-  for (auto* component : {&ax, &ay, &dx, &dy, &inverse_square, &end_y, &run}) component->clear();
+void Boundary::assign_near(const Boundary& whole, const std::vector<float>& squared, float limit) {
+  const std::size_t room = whole.edges + kLanes;
+  for (auto* component : {&ax, &ay, &dx, &dy, &inverse_square, &end_y, &run}) component->resize(room);
   edges = 0;
+  for (std::size_t k = 0; k < whole.edges; ++k) {
+    if (squared[k] > limit) continue;
+    ax[edges] = whole.ax[k];
+    ay[edges] = whole.ay[k];
+    dx[edges] = whole.dx[k];
+    dy[edges] = whole.dy[k];
+    inverse_square[edges] = whole.inverse_square[k];
+    end_y[edges] = whole.end_y[k];
+    run[edges] = whole.run[k];
+    ++edges;
+  }
+  for (auto* component : {&ax, &ay, &dx, &dy, &inverse_square, &end_y, &run}) component->resize(edges);
+  finish();
 }
 
 Boundary boundary_of(std::span<const minkowski::convolution::SumEdge> edges, double lattice_units) {
@@ -83,14 +86,25 @@ Boundary boundary_of(std::span<const minkowski::convolution::SumEdge> edges, dou
   const Lanes squared = qx * qx + qy * qy;        \
   best = squared < best ? squared : best
 
-SELVAGE_FOR_EACH_PROCESSOR float squared_distance(const Boundary& boundary, float x, float y) {
+// One edge after another, each for all points at once: few edges are near a row of points.
+SELVAGE_FOR_EACH_PROCESSOR void squared_distances(const Boundary& boundary, const float* xs, float y, float* squared) {
   const Lanes zero{};
   const Lanes one = zero + 1.0F;
   Lanes best = zero + kFar * kFar;
-  for (std::size_t k = 0; k < boundary.ax.size(); k += kLanes) {
-    SELVAGE_SQUARED_DISTANCE;
+  Lanes x;
+  std::memcpy(&x, xs, sizeof x);
+  for (std::size_t k = 0; k < boundary.edges; ++k) {
+    const Lanes px = x - boundary.ax[k];
+    const float py = y - boundary.ay[k];
+    Lanes t = (px * boundary.dx[k] + py * boundary.dy[k]) * boundary.inverse_square[k];
+    t = t < zero ? zero : t;
+    t = t > one ? one : t;
+    const Lanes qx = px - t * boundary.dx[k];
+    const Lanes qy = py - t * boundary.dy[k];
+    const Lanes found = qx * qx + qy * qy;
+    best = found < best ? found : best;
   }
-  return lowest_of(best);
+  std::memcpy(squared, &best, sizeof best);
 }
 
 SELVAGE_FOR_EACH_PROCESSOR Nearness nearness(const Boundary& boundary, float x, float y) {

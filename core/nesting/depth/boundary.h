@@ -19,10 +19,10 @@ struct Boundary {
   std::size_t edges{};                // without the padding
 
   void add(float from_x, float from_y, float to_x, float to_y);
-  void add(const Boundary& other, std::size_t edge);
   // Pads the arrays.  REQUIRES: nothing is added afterwards.
   void finish();
-  void clear();
+  // Becomes those edges of another boundary whose squared distances are at most `limit`, padded.
+  void assign_near(const Boundary& whole, const std::vector<float>& squared, float limit);
   [[nodiscard]] std::size_t bytes() const { return ax.capacity() * 7 * sizeof(float); }
 };
 [[nodiscard]] Boundary boundary_of(std::span<const minkowski::convolution::SumEdge> edges, double lattice_units);
@@ -35,8 +35,8 @@ struct Nearness {
 [[nodiscard]] Nearness nearness(const Boundary& boundary, float x, float y);
 // The same, and the squared distance to every edge in `squared`, which has room for the padding.
 [[nodiscard]] Nearness nearness_of_each(const Boundary& boundary, float x, float y, std::vector<float>& squared);
-// The squared distance alone.
-[[nodiscard]] float squared_distance(const Boundary& boundary, float x, float y);
+// The squared distances of a row of points alone: of (xs[k], y), for each of the lanes.
+void squared_distances(const Boundary& boundary, const float* xs, float y, float* squared);
 // The same as nearness, for a boundary of which only the edges near the segment from (from_x, from_y) to the point are
 // left: a point is inside if its parity of crossings with the segment differs from what `from_inside` says.
 [[nodiscard]] Nearness nearness_along(const Boundary& boundary, float from_x, float from_y, bool from_inside, float x,

@@ -1,6 +1,7 @@
 #include "core/nesting/depth/depth_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -9,7 +10,7 @@ namespace selvage::nesting::depth {
 namespace {
 
 constexpr float kDiagonal = 0.7072F;  // half of a pixel's diagonal: no point is farther from the nearest sample
-constexpr int kBlock = 8;             // samples on the side of a block, whose nearest edges are found together
+constexpr int kBlock = kLanes;        // samples on the side of a block, whose nearest edges are found together
 constexpr std::int16_t kInside = 1, kOutside = -1;  // what samples are before their distance is known
 
 }  // namespace
@@ -45,7 +46,7 @@ void DepthMap::sample() {
   columns_ = static_cast<int>(std::ceil(high_x_ / pixel)) + 2 - first_column_;
   rows_ = static_cast<int>(std::ceil(high_y_ / pixel)) + 2 - first_row_;
   samples_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kOutside);
-  for (int row = 0; row < rows_; ++row) mark_inside(row);
+  mark_inside();
   Boundary near;
   std::vector<float> squared;
   for (int row = 0; row < rows_; row += kBlock) {
@@ -57,19 +58,22 @@ void DepthMap::sample() {
   keep_overlaps();
 }
 
-// Between the first crossing of the row with the boundary and the second, and so on.
-void DepthMap::mark_inside(int row) {
-  const float y = y_of(row);
+// Of every row, what lies between its first crossing with the boundary and the second, and so on.
+void DepthMap::mark_inside() {
   std::vector<float> crossings;
-  for (std::size_t k = 0; k < boundary_.edges; ++k) {
-    if ((boundary_.ay[k] > y) == (boundary_.end_y[k] > y)) continue;
-    crossings.push_back(boundary_.ax[k] + (y - boundary_.ay[k]) * boundary_.run[k]);
-  }
-  std::sort(crossings.begin(), crossings.end());
-  std::size_t passed = 0;
-  for (int column = 0; column < columns_; ++column) {
-    while (passed < crossings.size() && crossings[passed] <= x_of(column)) ++passed;
-    if (passed % 2 == 1) samples_[index_of(column, row)] = kInside;
+  for (int row = 0; row < rows_; ++row) {
+    const float y = y_of(row);
+    crossings.clear();
+    for (std::size_t k = 0; k < boundary_.edges; ++k) {
+      if ((boundary_.ay[k] > y) == (boundary_.end_y[k] > y)) continue;
+      crossings.push_back(boundary_.ax[k] + (y - boundary_.ay[k]) * boundary_.run[k]);
+    }
+    std::sort(crossings.begin(), crossings.end());
+    std::size_t passed = 0;
+    for (int column = 0; column < columns_; ++column) {
+      while (passed < crossings.size() && crossings[passed] <= x_of(column)) ++passed;
+      if (passed % 2 == 1) samples_[index_of(column, row)] = kInside;
+    }
   }
 }
 
@@ -81,19 +85,19 @@ void DepthMap::keep_near(int column, int row, std::vector<float>& squared, Bound
   const Nearness nearness =
       nearness_of_each(boundary_, x_of(column) + kMiddle * scale_.pixel, y_of(row) + kMiddle * scale_.pixel, squared);
   const float limit = std::sqrt(nearness.squared_distance) + 2 * radius;
-  near.clear();
-  for (std::size_t k = 0; k < boundary_.edges; ++k) {
-    if (squared[k] <= limit * limit) near.add(boundary_, k);
-  }
-  near.finish();
+  near.assign_near(boundary_, squared, limit * limit);
 }
 
 void DepthMap::sample_block(int first_column, int first_row, const Boundary& near) {
+  std::array<float, kBlock> xs, squared;
+  for (int k = 0; k < kBlock; ++k) xs[static_cast<std::size_t>(k)] = x_of(first_column + k);
+  const int columns = std::min(columns_ - first_column, kBlock);
   for (int row = first_row; row < std::min(rows_, first_row + kBlock); ++row) {
-    for (int column = first_column; column < std::min(columns_, first_column + kBlock); ++column) {
-      const float distance = std::sqrt(squared_distance(near, x_of(column), y_of(row)));
-      std::int16_t& sample = samples_[index_of(column, row)];
-      sample = encoded((sample == kInside ? distance : -distance) + clearance_);
+    squared_distances(near, xs.data(), y_of(row), squared.data());
+    std::int16_t* samples = samples_.data() + index_of(first_column, row);
+    for (int k = 0; k < columns; ++k) {
+      const float distance = std::sqrt(squared[static_cast<std::size_t>(k)]);
+      samples[k] = encoded((samples[k] == kInside ? distance : -distance) + clearance_);
     }
   }
 }
@@ -101,7 +105,8 @@ void DepthMap::sample_block(int first_column, int first_row, const Boundary& nea
 std::int16_t DepthMap::encoded(float signed_depth) const {
   constexpr float kMost = std::numeric_limits<std::int16_t>::max();
   const float charged = signed_depth > 0 ? signed_depth + scale_.charge : signed_depth;
-  return static_cast<std::int16_t>(std::lround(std::clamp(charged / (scale_.pixel * kSample), -kMost, kMost)));
+  const float samples = std::clamp(charged / (scale_.pixel * kSample), -kMost, kMost);
+  return static_cast<std::int16_t>(samples + std::copysign(0.5F, samples));  // rounded, without a call
 }
 
 float DepthMap::decoded(std::int16_t sample) const {
@@ -127,15 +132,16 @@ void DepthMap::keep_overlaps() {
   overlapping_ = none ? Part{} : Part{low_column, low_row, high_column + 1 - low_column, high_row + 1 - low_row};
   constexpr int kMost = std::numeric_limits<std::uint8_t>::max();
   overlap_unit_ = static_cast<float>(most) / kMost * scale_.pixel * kSample;
-  overlaps_.reserve(3 * kLanes + static_cast<std::size_t>(overlapping_.columns * overlapping_.rows));
-  overlaps_.assign(kLanes, 0);
+  const double part = 1.0 / most;
+  overlaps_.resize(3 * kLanes + static_cast<std::size_t>(overlapping_.columns * overlapping_.rows));
+  std::uint8_t* overlap = overlaps_.data() + kLanes;
   for (int row = 0; row < overlapping_.rows; ++row) {
+    const std::int16_t* sample = samples_.data() + index_of(low_column, low_row + row);
     for (int column = 0; column < overlapping_.columns; ++column) {
-      const int sample = std::max<int>(0, samples_[index_of(low_column + column, low_row + row)]);
-      overlaps_.push_back(static_cast<std::uint8_t>((sample * kMost + most - 1) / most));
+      const int numerator = std::max<int>(0, sample[column]) * kMost + most - 1;
+      *overlap++ = static_cast<std::uint8_t>((numerator + 0.5) * part);  // the half keeps whole quotients whole
     }
   }
-  overlaps_.resize(overlaps_.size() + 2 * kLanes);
 }
 
 DepthMap::Overlaps DepthMap::overlaps() const {

@@ -68,7 +68,7 @@ class DepthMap {
  private:
   void bound();
   void sample();
-  void mark_inside(int row);
+  void mark_inside();
   void keep_near(int column, int row, std::vector<float>& squared, Boundary& near) const;
   void keep_overlaps();
   void sample_block(int first_column, int first_row, const Boundary& near);

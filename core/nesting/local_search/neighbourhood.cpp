@@ -53,12 +53,7 @@ void Neighbourhood::keep_edges(const layout::Place& place, double reach) {
     if (!nearness.inside && distance - map.clearance() > diagonal) continue;
     const float limit = (distance + 2 * diagonal) * (distance + 2 * diagonal);
     if (left == kept_.size()) kept_.emplace_back();
-    depth::Boundary& kept = kept_[left];
-    kept.clear();
-    for (std::size_t k = 0; k < map.boundary().edges; ++k) {
-      if (squared_[k] <= limit) kept.add(map.boundary(), k);
-    }
-    kept.finish();
+    kept_[left].assign_near(map.boundary(), squared_, limit);
     near.kept = left;
     near_[left++] = near;
   }

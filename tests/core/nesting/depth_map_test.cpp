@@ -170,8 +170,9 @@ TEST(DepthMap, ItsGridHoldsTheDistanceToTheWholeBoundary) {
         const float read = static_cast<float>(grid.samples[row * grid.columns + column]) * kScale.pixel;
         const float depth = read * DepthMap::kSample - (read > 0 ? kScale.charge : 0);
         const float distance =
-            std::sqrt(squared_distance(map.boundary(), static_cast<float>(grid.first_column + column) * kScale.pixel,
-                                       static_cast<float>(grid.first_row + row) * kScale.pixel));
+            std::sqrt(nearness(map.boundary(), static_cast<float>(grid.first_column + column) * kScale.pixel,
+                               static_cast<float>(grid.first_row + row) * kScale.pixel)
+                          .squared_distance);
         EXPECT_NEAR(std::abs(depth), distance, kScale.pixel * DepthMap::kSample) << "trial " << trial;
       }
     }
