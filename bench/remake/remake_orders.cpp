@@ -25,7 +25,6 @@
 #include "bench/support/marker_file.h"
 #include "core/marker/validity.h"
 #include "core/remake/remake.h"
-#include "core/search/refine.h"
 #include "protocol/library/labels.h"
 
 namespace {
@@ -139,12 +138,16 @@ void remake_order(const Options& options, const MarkerFile& garment, const std::
     write_result(options, seed, done->marker);
   }
   if (options.fine && done && done->chosen) {
-    auto settings = search::refine_settings();
-    settings.tilts = true;
+    remake::RemakeSettings settings = options.settings;
+    settings.attempt.fine = true;
+    SumCache own;
     const double middle = processor_seconds();
-    const auto fine = search::refine(done->marker, settings, scene::Run{sums});
-    if (fine) line["fine"] = utilisation_of(fine->marker);
+    const auto fine = remake::remake(order, stored, settings, scene::Run{own});
     line["fine_seconds"] = processor_seconds() - middle;
+    if (fine && fine->chosen) {
+      line["fine"] = utilisation_of(fine->marker);
+      line["fine_valid"] = is_valid(fine->marker);
+    }
   }
   std::printf("%s\n", protocol::json::to_text(line).c_str());
   std::fflush(stdout);

@@ -129,8 +129,9 @@ class Attempting {
   [[nodiscard]] std::uint64_t moves_of(Search search) const {
     const RemakeTuning& tuning = settings_.tuning;
     const std::uint64_t pieces = std::max<std::uint64_t>(tuning.fewest_pieces, marker_.pieces.size());
-    if (search == Search::kShort) return tuning.short_work / pieces;
-    return std::max(tuning.moves_per_piece * pieces, tuning.work / pieces);
+    const std::uint64_t factor = settings_.fine ? tuning.fine_factor : 1;
+    if (search == Search::kShort) return factor * tuning.short_work / pieces;
+    return factor * std::max(tuning.moves_per_piece * pieces, tuning.work / pieces);
   }
 
   // A short search for a shorter marker: separation pays with length, and pieces at the end may belong into gaps.

@@ -90,8 +90,8 @@ class OverlapRemover {
     layout.length = static_cast<double>(length_of(marker)) / set->lattice_units;
     const auto over = [this] { return run_.stopped(); };
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
-      const std::size_t patience = k == 0 ? tuning_.first_patience : tuning_.search_patience;
-      auto outcome = search.separate(layout, {patience, tuning_.search_strikes}, over);
+      stretch(*set, layout, 1 + (k == 0 ? tuning_.first_growth : tuning_.search_growth));
+      auto outcome = search.separate(layout, {tuning_.search_patience, tuning_.search_strikes}, over);
       layout = std::move(outcome.layout);
       if (outcome.loss == 0) {
         if (auto found = repaired(to_marker(*set, layout, marker))) {
@@ -100,7 +100,6 @@ class OverlapRemover {
           return OverlapRemoval{*std::move(found), RemovedBy::kSearch, 0, 0};
         }
       }
-      set_length(*set, layout, layout.length * (1 + tuning_.search_growth), layout.length / 2);
     }
     return std::nullopt;
   }

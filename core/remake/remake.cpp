@@ -76,7 +76,7 @@ class Trying {
     drafts_.resize(candidates_.size());
     if (!drafts_.empty()) {
       draft(0, run_);
-      if (!settings_.thorough && !as_good(0)) tilt(0, run_);
+      if (!settings_.thorough && is_worth_tilting(0)) tilt(0, run_);
     }
     if (settings_.thorough || drafts_.empty() || !near_enough(0)) {
       for_each(1, [this](std::size_t k, const scene::Run& run) { draft(k, run); });
@@ -87,8 +87,8 @@ class Trying {
         finish(k, Search::kWhole, run);
       });
     } else if (const auto best = shortest()) {
-      if (!as_good(*best)) tilt(*best, run_);
-      finish(*best, as_good(*best) ? Search::kNone : near_enough(*best) ? Search::kShort : Search::kWhole, run_);
+      if (is_worth_tilting(*best)) tilt(*best, run_);
+      finish(*best, search_of(*best), run_);
     }
     std::vector<Attempt> attempts;
     for (Draft& draft : drafts_) {
@@ -125,6 +125,14 @@ class Trying {
   }
   [[nodiscard]] bool as_good(std::size_t k) const {
     return near_enough(k) && loss_of(drafts_[k]) <= settings_.attempt.tuning.as_good;
+  }
+  // Neither as good as the stored marker, nor so much worse that what follows will be a search anyway.
+  [[nodiscard]] bool is_worth_tilting(std::size_t k) const {
+    return !as_good(k) && loss_of(drafts_[k]) <= settings_.attempt.tuning.hopeless;
+  }
+  [[nodiscard]] Search search_of(std::size_t k) const {
+    if (!near_enough(k)) return Search::kWhole;
+    return as_good(k) && !settings_.attempt.fine ? Search::kNone : Search::kShort;
   }
   [[nodiscard]] std::optional<std::size_t> shortest() const {
     std::optional<std::size_t> best;

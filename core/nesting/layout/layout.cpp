@@ -100,6 +100,15 @@ void set_length(const PieceSet& set, Layout& layout, double length, double split
   }
 }
 
+void stretch(const PieceSet& set, Layout& layout, double factor) {
+  layout.length *= factor;
+  for (std::size_t piece = 0; piece < set.size(); ++piece) {
+    if (set.fixed[piece]) continue;
+    const RealBox box = placed_box(set, layout, piece);
+    centre_at(set, layout, piece, factor * box.middle_x(), box.middle_y());
+  }
+}
+
 Marker to_marker(const PieceSet& set, const Layout& layout, const Marker& start) {
   Marker marker = start;
   marker.pieces.insert(marker.pieces.end(), start.unplaced.begin(), start.unplaced.end());

@@ -42,6 +42,8 @@ void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x,
 // Changes the length.  Pieces whose middle lies beyond `split` move by the difference, and all stay within the strip;
 // fixed pieces stay where they are.
 void set_length(const PieceSet& set, Layout& layout, double length, double split);
+// Makes the layout longer by a factor: the middles of all pieces but fixed ones move apart along the strip.
+void stretch(const PieceSet& set, Layout& layout, double factor);
 
 // The marker with every piece placed as in the layout, rounded to the lattice: first the pieces that `start` had
 // placed, then those it had not.  Fixed pieces stay exactly where they were. REQUIRES: the set is that of `start`.

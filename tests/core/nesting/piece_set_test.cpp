@@ -114,5 +114,24 @@ TEST(Layout, SettingTheLengthMovesWhatLiesBeyondTheSplit) {
   EXPECT_EQ(layout.places[2].y, 900);  // back within the strip
 }
 
+TEST(Layout, StretchingMovesTheMiddlesOfPiecesApart) {
+  Marker marker = test::unplaced_pieces({test::rectangle(100'000, 100'000)}, 2, kWidth);
+  marker.pieces = {test::unplaced_pieces({test::rectangle(100'000, 100'000)}, 1, kWidth).unplaced[0]};
+  marker.pieces[0].id = "locked";
+  marker.pieces[0].locked = {true, true, true};
+  SumCache sums;
+  const auto set = piece_set_of(marker, PlacedPiecesMay::kMove, sums);
+  ASSERT_TRUE(set);
+  Layout layout;
+  layout.length = 1000;
+  layout.places = {{200, 0, 0}, {100, 300, 0}, {900, 0, 0}};
+  stretch(*set, layout, 1.5);
+  EXPECT_EQ(layout.length, 1500);
+  EXPECT_EQ(layout.places[0].x, 200);  // fixed
+  EXPECT_EQ(layout.places[1].x, 175);  // its middle was at 150, and is at 225
+  EXPECT_EQ(layout.places[1].y, 300);
+  EXPECT_EQ(layout.places[2].x, 1375);
+}
+
 }  // namespace
 }  // namespace selvage::nesting::layout

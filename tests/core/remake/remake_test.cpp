@@ -11,6 +11,7 @@
 #include "core/motion/compaction/compact.h"
 #include "core/remake/substitution/area.h"
 #include "protocol/execution/thread_pool.h"
+#include "tests/core/motion/markers.h"
 #include "tests/core/remake/orders.h"
 #include "tests/laws/random_marker.h"
 #include "tests/support/garment.h"
@@ -193,6 +194,33 @@ TEST(Remake, EndsWithSmallTiltsThatBringTheFirstTryNearEnough) {
   ASSERT_EQ(done.attempts.size(), 1U);
   EXPECT_EQ(done.attempts[0].steps.back().kind, StepKind::kTilted);
   EXPECT_EQ(done.length_after, tilted->length);
+}
+
+// What a search will rearrange anyway is not tilted before.
+TEST(Remake, DoesNotTiltADraftThatIsFarWorseThanTheStoredMarker) {
+  RemakeSettings settings;
+  settings.attempt.tuning.near_enough = settings.attempt.tuning.hopeless = -1;
+  settings.attempt.tuning.moves_per_piece = settings.attempt.tuning.work = settings.attempt.tuning.short_work = 0;
+  const std::vector<Marker> stored{stored_jeans()};
+  const Remake done = remade(test::graded_order_of(stored[0], 0.02), stored, settings);
+  ASSERT_EQ(done.outcome, Outcome::kRemade);
+  EXPECT_EQ(std::ranges::count(done.attempts[0].steps, StepKind::kTilted, &Step::kind), 0);
+}
+
+// Six blocks in a row, where two rows have room: the marker's own order is as good as the marker, and yet not dense.
+TEST(Remake, SearchesWithFineHoweverGoodTheDraftIs) {
+  test::Layout layout{50'000};
+  const auto block = layout.shape_of(test::rectangle(20'000, 24'000));
+  for (int k = 0; k < 6; ++k) layout.put(block, {20'000 * k, 0});
+  const std::vector<Marker> stored{layout.marker()};
+  const Marker order = test::order_of(stored[0]);
+  EXPECT_EQ(remade(order, stored).length_after, 120'000);
+  RemakeSettings settings;
+  settings.attempt.fine = true;
+  const Remake done = remade(order, stored, settings);
+  expect_sound(order, done);
+  EXPECT_EQ(done.length_after, 60'000);
+  EXPECT_EQ(done.attempts[0].steps.back().kind, StepKind::kRefined);
 }
 
 // Near enough, but not as good: tilted and searched, and nothing else is tried.
