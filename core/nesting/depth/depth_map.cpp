@@ -128,49 +128,41 @@ void DepthMap::keep_overlaps() {
       high_row = row;
     }
   }
-  const bool none = high_row < 0;
-  overlapping_ = none ? Part{} : Part{low_column, low_row, high_column + 1 - low_column, high_row + 1 - low_row};
   constexpr int kMost = std::numeric_limits<std::uint8_t>::max();
-  overlap_unit_ = static_cast<float>(most) / kMost * scale_.pixel * kSample;
+  if (high_row >= 0) {
+    overlaps_ = {.first_column = first_column_ + low_column,
+                 .first_row = first_row_ + low_row,
+                 .columns = high_column + 1 - low_column,
+                 .rows = high_row + 1 - low_row};
+  }
+  overlaps_.unit = static_cast<float>(most) / kMost * scale_.pixel * kSample;
+  overlap_samples_.resize(3 * kLanes + static_cast<std::size_t>(overlaps_.columns * overlaps_.rows));
+  std::uint8_t* overlap = overlap_samples_.data() + kLanes;
+  overlaps_.samples = overlap;
   const double part = 1.0 / most;
-  overlaps_.resize(3 * kLanes + static_cast<std::size_t>(overlapping_.columns * overlapping_.rows));
-  std::uint8_t* overlap = overlaps_.data() + kLanes;
-  for (int row = 0; row < overlapping_.rows; ++row) {
+  for (int row = 0; row < overlaps_.rows; ++row) {
     const std::int16_t* sample = samples_.data() + index_of(low_column, low_row + row);
-    for (int column = 0; column < overlapping_.columns; ++column) {
+    for (int column = 0; column < overlaps_.columns; ++column) {
       const int numerator = std::max<int>(0, sample[column]) * kMost + most - 1;
       *overlap++ = static_cast<std::uint8_t>((numerator + 0.5) * part);  // the half keeps whole quotients whole
     }
   }
 }
 
-DepthMap::Overlaps DepthMap::overlaps() const {
-  return {overlaps_.data() + kLanes,
-          first_column_ + overlapping_.first_column,
-          first_row_ + overlapping_.first_row,
-          overlapping_.columns,
-          overlapping_.rows,
-          overlap_unit_};
-}
-
-DepthMap::Overlaps DepthMap::transposed_overlaps() {
-  const Overlaps upright = overlaps();
-  if (transposed_.empty()) {
-    transposed_.reserve(overlaps_.size());
-    transposed_.assign(kLanes, 0);
-    for (int column = 0; column < upright.columns; ++column) {
-      for (int row = 0; row < upright.rows; ++row) {
-        transposed_.push_back(upright.samples[row * upright.columns + column]);
-      }
-    }
-    transposed_.resize(overlaps_.size());
+const DepthMap::Overlaps& DepthMap::transposed_overlaps() {
+  if (transposed_.samples != nullptr) return transposed_;
+  transposed_ = {.first_column = overlaps_.first_row,
+                 .first_row = overlaps_.first_column,
+                 .columns = overlaps_.rows,
+                 .rows = overlaps_.columns,
+                 .unit = overlaps_.unit};
+  transposed_samples_.resize(overlap_samples_.size());
+  std::uint8_t* to = transposed_samples_.data() + kLanes;
+  transposed_.samples = to;
+  for (int column = 0; column < overlaps_.columns; ++column) {
+    for (int row = 0; row < overlaps_.rows; ++row) *to++ = overlaps_.samples[row * overlaps_.columns + column];
   }
-  return {transposed_.data() + kLanes,
-          upright.first_row,
-          upright.first_column,
-          upright.rows,
-          upright.columns,
-          upright.unit};
+  return transposed_;
 }
 
 float DepthMap::depth(float x, float y) const {
@@ -198,7 +190,7 @@ float DepthMap::rough_depth(float x, float y) const {
 }
 
 std::size_t DepthMap::bytes() const {
-  return sizeof(DepthMap) + boundary_.bytes() + samples_.size() * sizeof samples_[0] + 2 * overlaps_.size();
+  return sizeof(DepthMap) + boundary_.bytes() + samples_.size() * sizeof samples_[0] + 2 * overlap_samples_.size();
 }
 
 }  // namespace selvage::nesting::depth

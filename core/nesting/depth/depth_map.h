@@ -24,12 +24,14 @@ struct MapScale {
   float charge{};  // added to the depth of every overlap in the grid, however small it is: touching costs as well
 };
 
-class DepthMap {
+class alignas(64) DepthMap {
  public:
   // One unit of a sample is this part of a pixel.
   static constexpr float kSample = 1.0F / 32;
 
   DepthMap(Boundary boundary, float clearance, MapScale scale);
+  DepthMap(const DepthMap&) = delete;
+  DepthMap& operator=(const DepthMap&) = delete;
 
   // How much deeper than allowed the two overlap; 0 when they keep their clearance.
   [[nodiscard]] float depth(float x, float y) const;
@@ -56,9 +58,9 @@ class DepthMap {
     int first_column{}, first_row{}, columns{}, rows{};
     float unit{};  // model units
   };
-  [[nodiscard]] Overlaps overlaps() const;
+  [[nodiscard]] const Overlaps& overlaps() const { return overlaps_; }
   // The same with x and y exchanged, made when it is asked for first.
-  [[nodiscard]] Overlaps transposed_overlaps();
+  [[nodiscard]] const Overlaps& transposed_overlaps();
 
   [[nodiscard]] const Boundary& boundary() const { return boundary_; }
   [[nodiscard]] float clearance() const { return clearance_; }
@@ -80,17 +82,15 @@ class DepthMap {
   [[nodiscard]] std::int16_t encoded(float signed_depth) const;
   [[nodiscard]] float decoded(std::int16_t sample) const;
 
+  // What fields read, first, so that it shares as few cache lines as it can.
+  Overlaps overlaps_, transposed_;
   Boundary boundary_;
   float clearance_;
   MapScale scale_;
   float low_x_{}, low_y_{}, high_x_{}, high_y_{};  // the box outside of which the depth is 0
   int first_column_{}, first_row_{}, columns_{}, rows_{};
   std::vector<std::int16_t> samples_;
-  struct Part {
-    int first_column{}, first_row{}, columns{}, rows{};  // of the grid
-  } overlapping_;                                        // where samples are positive
-  float overlap_unit_{};
-  std::vector<std::uint8_t> overlaps_, transposed_;  // kLanes of nothing, the samples, and twice as many of nothing
+  std::vector<std::uint8_t> overlap_samples_, transposed_samples_;  // kLanes of nothing, theirs, 2 * kLanes of nothing
 };
 
 // From the relative position of two pieces on the strip to a map's frame.

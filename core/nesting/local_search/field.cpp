@@ -133,14 +133,14 @@ void Field::find_readings(const layout::Layout& layout, std::size_t piece, const
 void Field::append_block(const Reading& reading) {
   const depth::MapFrame& frame = reading.view.frame;
   depth::DepthMap& map = *reading.view.map;
-  const depth::DepthMap::Overlaps grid = frame.exchanged ? map.transposed_overlaps() : map.overlaps();
+  const depth::DepthMap::Overlaps& grid = frame.exchanged ? map.transposed_overlaps() : map.overlaps();
   const float sign_x = frame.exchanged ? frame.sign_y : frame.sign_x;
   const float sign_y = frame.exchanged ? frame.sign_x : frame.sign_y;
-  const double pixel = maps_->scale().pixel;
-  const Overlap1D across = overlap_of((room_.low_x - reading.x) / pixel, sign_x, grid.first_column, grid.columns,
+  const double pixels = 1 / static_cast<double>(maps_->scale().pixel);
+  const Overlap1D across = overlap_of((room_.low_x - reading.x) * pixels, sign_x, grid.first_column, grid.columns,
                                       static_cast<int>(columns_));
   const Overlap1D up =
-      overlap_of((room_.low_y - reading.y) / pixel, sign_y, grid.first_row, grid.rows, static_cast<int>(rows_));
+      overlap_of((room_.low_y - reading.y) * pixels, sign_y, grid.first_row, grid.rows, static_cast<int>(rows_));
   if (across.begin >= across.end || up.begin >= up.end) return;
   blocks_.push_back(
       {.to = values_.data() + static_cast<std::size_t>(up.begin) * columns_ + static_cast<std::size_t>(across.begin),

@@ -32,6 +32,7 @@ Losses::Losses(const layout::PieceSet& set, depth::DepthMaps& maps, const Search
 
 void Losses::reset(const layout::Layout& layout) {
   std::fill(weights_.begin(), weights_.end(), 1.0F);
+  raised_.clear();
   measure(layout);
 }
 
@@ -74,18 +75,23 @@ float Losses::pair_loss(const layout::Layout& layout, std::size_t first, std::si
 }
 
 void Losses::reweigh() {
-  const float largest = *std::max_element(losses_.begin(), losses_.end());
-  if (largest <= 0) return;
+  float largest = 0;
   for (std::size_t i = 0; i < size_; ++i) {
+    if (of_piece_[i] <= 0) continue;
     for (std::size_t j = i + 1; j < size_; ++j) {
       const float loss = losses_[i * size_ + j];
-      float& weight = weights_[i * size_ + j];
-      if (loss == 0 && weight == 1) continue;  // so it is with most pairs of many pieces, and stays
-      const double factor = loss == 0 ? decay_ : growth_ + extra_growth_ * loss / largest;
-      weight = std::clamp(static_cast<float>(weight * factor), 1.0F, kMostWeight);
-      weights_[j * size_ + i] = weight;
+      largest = std::max(largest, loss);
+      if (loss > 0 && weights_[i * size_ + j] == 1) raised_.push_back(i * size_ + j);
     }
   }
+  if (largest <= 0) return;
+  std::erase_if(raised_, [&](std::size_t pair) {
+    const float loss = losses_[pair];
+    const double factor = loss == 0 ? decay_ : growth_ + extra_growth_ * loss / largest;
+    const float weight = std::clamp(static_cast<float>(weights_[pair] * factor), 1.0F, kMostWeight);
+    weights_[pair] = weights_[pair % size_ * size_ + pair / size_] = weight;
+    return weight == 1;
+  });
 }
 
 double Losses::total() const {

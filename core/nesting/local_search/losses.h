@@ -48,6 +48,7 @@ class Losses {
   double growth_, extra_growth_, decay_;
   std::vector<float> importance_;        // by kind: a pair's is the product of both
   std::vector<float> losses_, weights_;  // by pair; symmetric
+  std::vector<std::size_t> raised_;      // the pairs whose weight is not 1, each once: a few of many
   std::vector<double> of_piece_;         // the sum of a piece's pairs
 };
 

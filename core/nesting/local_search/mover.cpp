@@ -41,8 +41,11 @@ Mover::Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses
 void Mover::move(layout::Layout& layout, std::size_t piece) {
   neighbourhood_.take(layout);
   Candidate best = stay(layout, piece);
-  collect(layout, piece);
-  pick();
+  picked_.clear();
+  if (best.loss > 0) {
+    collect(layout, piece);
+    pick();
+  }
   for (const Candidate& candidate : picked_) {
     if (best.loss <= 0) break;
     const Candidate found = refined(layout, piece, candidate, best.loss);
