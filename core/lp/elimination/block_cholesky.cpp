@@ -186,7 +186,9 @@ void BlockCholesky::solve_upper(std::span<double> right_side) const {
     const int* const end = column_.data() + column_start_[k + 1];
     const Block* below = below_.data() + column_start_[k];
     for (; column != end; ++column, ++below) {
-      left -= below->transpose() * Place{v + index_of(*column)};
+      const Pair known = Place{v + index_of(*column)};
+      // By rows of the transposed block, as the processor can add up pairs but not within a pair.
+      left -= Pair{(*below)(0, 0), (*below)(0, 1)} * known[0] + Pair{(*below)(1, 0), (*below)(1, 1)} * known[1];
     }
     divide_upper(diagonal_[k], left[0], left[1]);
     own = left;
