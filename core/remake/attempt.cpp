@@ -36,12 +36,12 @@ class Attempting {
   Attempting(const Marker& order, const AttemptSettings& settings, const scene::Run& run)
       : order_{order}, settings_{settings}, run_{run} {}
 
-  Draft draft(const Candidate& candidate) {
+  Draft draft(const Candidate& candidate, std::optional<Coord> longest) {
     attempt_.stored = candidate.arrangement.stored;
     attempt_.difference = candidate.difference;
     attempt_.predicted = candidate.predicted;
     attempt_.used = candidate.used;
-    if (!take_over(candidate) || !insert()) return {std::move(attempt_), std::nullopt, std::nullopt};
+    if (!take_over(candidate, longest) || !insert()) return {std::move(attempt_), std::nullopt, std::nullopt};
     conclude();
     return {std::move(attempt_), std::move(marker_), std::nullopt};
   }
@@ -76,14 +76,14 @@ class Attempting {
   }
 
   // Substitution and overlap removal.  False when overlaps remain.
-  bool take_over(const Candidate& candidate) {
+  bool take_over(const Candidate& candidate, std::optional<Coord> longest) {
     substitution::Substitution start = substituted(order_, candidate, settings_.tuning, run_);
     marker_ = std::move(start.marker);
     if (marker_.pieces.empty()) return false;
     const bool clear = all_clear(marker::PlacedPieces{marker_}, marker_.strip);
     record(StepKind::kSubstituted, start.swaps, clear);
     if (!clear) stretch(candidate.arrangement.area);
-    auto apart = remove_overlaps(marker_, settings_.tuning, run_);
+    auto apart = remove_overlaps(marker_, settings_.tuning, run_, longest);
     if (!apart) return false;
     marker_ = std::move(apart->marker);
     attempt_.programs += apart->programs;
@@ -200,8 +200,9 @@ class Attempting {
 
 }  // namespace
 
-Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings, const scene::Run& run) {
-  return Attempting{order, settings, run}.draft(candidate);
+Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings, const scene::Run& run,
+              std::optional<Coord> longest) {
+  return Attempting{order, settings, run}.draft(candidate, longest);
 }
 
 double loss_of(const Draft& draft) {

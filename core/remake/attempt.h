@@ -70,8 +70,9 @@ struct Draft {
 // order's pieces in the order's sequence: first the placed ones, then those that were not.  (2) For an order that is
 // the stored marker's own, it is no longer than that marker.  (3) A tilted marker and a finished one are no longer than
 // their draft.  (4) Deterministic, whatever the cache holds; when cancelled, the best so far.
+// `longest`: see remove_overlaps.
 [[nodiscard]] Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
-                            const scene::Run& run);
+                            const scene::Run& run, std::optional<Coord> longest = std::nullopt);
 // The draft with small tilts, where they shorten its marker; once they were tried, they are not tried again.
 [[nodiscard]] Draft tilted(const Marker& order, Draft draft, const AttemptSettings& settings, const scene::Run& run);
 // How a draft is finished.

@@ -25,8 +25,8 @@ Marker placed_only(Marker marker) {
 
 class OverlapRemover {
  public:
-  OverlapRemover(const Marker& start, const RemakeTuning& tuning, const scene::Run& run)
-      : start_{start}, tuning_{tuning}, run_{run} {}
+  OverlapRemover(const Marker& start, const RemakeTuning& tuning, const scene::Run& run, std::optional<Coord> longest)
+      : start_{start}, tuning_{tuning}, run_{run}, longest_{longest} {}
 
   std::optional<OverlapRemoval> run() {
     if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return OverlapRemoval{start_, RemovedBy::kNothing, 0, 0};
@@ -36,7 +36,7 @@ class OverlapRemover {
     if (auto other = by_search(); other && (!best || length_of(other->marker) < length_of(best->marker))) {
       best = std::move(other);
     }
-    if (!best && !run_.stopped()) best = by_programs(tuning_.pops);
+    if (!best && !longest_ && !run_.stopped()) best = by_programs(tuning_.pops);
     if (best) best->programs = programs_;
     return best;
   }
@@ -91,6 +91,7 @@ class OverlapRemover {
     const auto over = [this] { return run_.stopped(); };
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
       stretch(*set, layout, 1 + (k == 0 ? tuning_.first_growth : tuning_.search_growth));
+      if (longest_ && layout.length * set->lattice_units > static_cast<double>(*longest_)) break;
       auto outcome = search.separate(layout, {tuning_.search_patience, tuning_.search_strikes}, over);
       layout = std::move(outcome.layout);
       if (outcome.loss == 0) {
@@ -107,13 +108,15 @@ class OverlapRemover {
   const Marker& start_;
   const RemakeTuning& tuning_;
   const scene::Run& run_;
+  const std::optional<Coord> longest_;
   int programs_{};
 };
 
 }  // namespace
 
-std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning, const scene::Run& run) {
-  return OverlapRemover{start, tuning, run}.run();
+std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning, const scene::Run& run,
+                                              std::optional<Coord> longest) {
+  return OverlapRemover{start, tuning, run, longest}.run();
 }
 
 }  // namespace selvage::remake

@@ -3,7 +3,8 @@
 // First by separation, which moves pieces as little as it can [Li94 5.2].  Where columns leave no room for that, pieces
 // are popped out and put back (popping.h), first only a few.  Where that fails or makes the marker much longer, a
 // guided local search (core/nesting/local_search) also tries in a marker that it lengthens step by step; the shorter
-// result counts.  Where the search fails, too, more pieces may be popped. Units: lattice units.
+// result counts.  Where the search fails, too, more pieces may be popped.
+// Units: lattice units.
 #pragma once
 
 #include <cstddef>
@@ -28,9 +29,11 @@ struct OverlapRemoval {
   int programs{};        // linear programs solved
 };
 // Nothing when the pieces did not come apart, or when cancelled before.  Unplaced pieces are left as they are.
+// `longest`: there is another draft, so that no search is made in a longer marker, nor are more pieces popped.
 // REQUIRES: the strip has no end.  Laws.  (1) The answer is valid, proved in integers.  (2) A marker that is valid is
 // left as it is.  (3) Deterministic, whatever the cache holds.
 [[nodiscard]] std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning,
-                                                            const scene::Run& run);
+                                                            const scene::Run& run,
+                                                            std::optional<Coord> longest = std::nullopt);
 
 }  // namespace selvage::remake

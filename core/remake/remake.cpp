@@ -1,6 +1,7 @@
 #include "core/remake/remake.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -107,7 +108,7 @@ class Trying {
   }
   void draft(std::size_t k, const scene::Run& run) {
     if (run_.stopped()) return;
-    drafts_[k] = drafted(order_, candidates_[k], settings_.attempt, run.quiet());
+    drafts_[k] = drafted(order_, candidates_[k], settings_.attempt, run.quiet(), k == 0 ? std::nullopt : longest());
     progress_.report(drafts_[k].attempt);
   }
   void tilt(std::size_t k, const scene::Run& run) {
@@ -119,6 +120,12 @@ class Trying {
     if (run_.stopped()) return;
     drafts_[k].attempt = finished(order_, std::move(drafts_[k]), search, settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
+  }
+  // Of the drafts after the first: little longer than that.
+  [[nodiscard]] std::optional<Coord> longest() const {
+    if (settings_.thorough || !drafts_[0].marker) return std::nullopt;
+    const auto first = static_cast<double>(length_of(*drafts_[0].marker));
+    return std::llround((1 + settings_.attempt.tuning.rival_growth) * first);
   }
   [[nodiscard]] bool near_enough(std::size_t k) const {
     return loss_of(drafts_[k]) <= settings_.attempt.tuning.near_enough;

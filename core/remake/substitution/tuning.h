@@ -37,6 +37,7 @@ struct RemakeTuning {
   double search_growth{0.015};  // and before each of the others;
   int searches{12};             // this many at most
   std::size_t search_patience{60}, search_strikes{1};
+  double rival_growth{0.01};  // part of the first draft's length: no other one is searched in a marker longer by more
   // Afterwards:
   int tilt_rounds{3};        // of small tilts: the first ones give nearly all of what many would
   double hopeless{0.025};    // utilisation below that of the stored marker from which on drafts are searched untilted
