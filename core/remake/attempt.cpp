@@ -131,7 +131,8 @@ class Attempting {
     const std::uint64_t pieces = std::max<std::uint64_t>(tuning.fewest_pieces, marker_.pieces.size());
     const std::uint64_t factor = settings_.fine ? tuning.fine_factor : 1;
     if (search == Search::kShort) return factor * tuning.short_work / pieces;
-    return factor * std::max(tuning.moves_per_piece * pieces, tuning.work / pieces);
+    const std::uint64_t per_piece = (nesting::may_turn(marker_) ? 1 : tuning.untilted_factor) * tuning.moves_per_piece;
+    return factor * std::max(per_piece * pieces, tuning.work / pieces);
   }
 
   // A short search for a shorter marker: separation pays with length, and pieces at the end may belong into gaps.

@@ -1,7 +1,6 @@
 #include "core/remake/remake.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -121,11 +120,10 @@ class Trying {
     drafts_[k].attempt = finished(order_, std::move(drafts_[k]), search, settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
   }
-  // Of the drafts after the first: little longer than that.
+  // Of the drafts after the first.
   [[nodiscard]] std::optional<Coord> longest() const {
     if (settings_.thorough || !drafts_[0].marker) return std::nullopt;
-    const auto first = static_cast<double>(length_of(*drafts_[0].marker));
-    return std::llround((1 + settings_.attempt.tuning.rival_growth) * first);
+    return length_of(*drafts_[0].marker);
   }
   [[nodiscard]] bool near_enough(std::size_t k) const {
     return loss_of(drafts_[k]) <= settings_.attempt.tuning.near_enough;

@@ -37,7 +37,6 @@ struct RemakeTuning {
   double search_growth{0.015};  // and before each of the others;
   int searches{12};             // this many at most
   std::size_t search_patience{60}, search_strikes{1};
-  double rival_growth{0.01};  // part of the first draft's length: no other one is searched in a marker longer by more
   // Afterwards:
   int tilt_rounds{3};        // of small tilts: the first ones give nearly all of what many would
   double hopeless{0.025};    // utilisation below that of the stored marker from which on drafts are searched untilted
@@ -47,12 +46,13 @@ struct RemakeTuning {
   // piece, or as many as `work` allows, if that is more; from one that is near enough, as many as `short_work` allows.
   // Work is moves times pieces, because a move takes longer the more pieces there are.
   std::uint64_t moves_per_piece{40}, work{400'000}, short_work{100'000};
-  std::uint64_t fine_factor{4};     // with `fine`, so many times the moves
-  std::uint64_t fewest_pieces{25};  // orders of fewer are searched as if they had as many
-  std::size_t bold_patience{20};    // nesting::NestTuning::bold_patience of this search
-  double first_step{0.01};          // part of its length by which this search shortens the marker at first
-  double stretch{2};                // of this search and the one above: nesting::local_search::SearchTuning::stretch
-  std::uint64_t trim_trials{1};     // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
+  std::uint64_t fine_factor{4};      // with `fine`, so many times the moves
+  std::uint64_t untilted_factor{2};  // where no piece may tilt, so many times `moves_per_piece`: tilts take as long
+  std::uint64_t fewest_pieces{25};   // orders of fewer are searched as if they had as many
+  std::size_t bold_patience{20};     // nesting::NestTuning::bold_patience of this search
+  double first_step{0.01};           // part of its length by which this search shortens the marker at first
+  double stretch{2};                 // of this search and the one above: nesting::local_search::SearchTuning::stretch
+  std::uint64_t trim_trials{1};      // of putting small pieces into gaps (core/packing/refitting/fill_gaps.h)
   friend bool operator==(const RemakeTuning&, const RemakeTuning&) = default;
 };
 

@@ -93,6 +93,14 @@ TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
   EXPECT_FALSE(parted_by_search(two_tall_columns()).empty());
 }
 
+// When there is another draft already.
+TEST(OverlapRemoval, DoesNotSearchInMarkersThatAreTooLong) {
+  const Marker marker = two_tall_columns();
+  SumCache sums;
+  EXPECT_FALSE(remove_overlaps(marker, only_search(), scene::Run{sums}, length_of(marker)));
+  EXPECT_TRUE(remove_overlaps(marker, only_search(), scene::Run{sums}, 2 * length_of(marker)));
+}
+
 // The stored marker's tilts are part of what makes it dense.
 TEST(OverlapRemoval, KeepsTiltsWhileItSearches) {
   Marker marker = two_tall_columns();
