@@ -1,6 +1,7 @@
 #include "core/remake/overlap_removal.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -89,11 +90,20 @@ class OverlapRemover {
     auto layout = to_layout(*set, marker);
     layout.length = static_cast<double>(length_of(marker)) / set->lattice_units;
     const auto over = [this] { return run_.stopped(); };
+    double loss = 0;
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
-      stretch(*set, layout, 1 + (k == 0 ? tuning_.first_growth : tuning_.search_growth));
+      if (k == 0) {
+        stretch(*set, layout, 1 + tuning_.first_growth);
+      } else if (const auto piece = search.most_overlapping(layout, std::nullopt);
+                 piece && loss <= tuning_.few_overlaps * set->across()) {
+        set_length(*set, layout, layout.length + loss, std::nextafter(placed_box(*set, layout, *piece).middle_x(), 0));
+      } else {
+        stretch(*set, layout, 1 + tuning_.search_growth);
+      }
       if (longest_ && layout.length * set->lattice_units > static_cast<double>(*longest_)) break;
       auto outcome = search.separate(layout, {tuning_.search_patience, tuning_.search_strikes}, over);
       layout = std::move(outcome.layout);
+      loss = outcome.loss;
       if (outcome.loss == 0) {
         if (auto found = repaired(to_marker(*set, layout, marker))) {
           for (std::size_t i = 0; i < found->pieces.size(); ++i) found->pieces[i].locked = start_.pieces[i].locked;

@@ -34,7 +34,8 @@ struct RemakeTuning {
   // The guided local search, when linear programs cannot part the pieces.  Pieces that are larger than the stored ones
   // never come apart in the marker's own length, and finding that out costs more than all that follows.
   double first_growth{0.03};    // part of its length by which the marker grows before the first search,
-  double search_growth{0.015};  // and before each of the others;
+  double search_growth{0.015};  // and before each of the others, unless no more overlaps are left than this loss: then
+  double few_overlaps{0.2};     // the marker becomes longer by them at the piece that overlaps most;
   int searches{12};             // this many at most
   std::size_t search_patience{60}, search_strikes{1};
   // Afterwards:

@@ -67,7 +67,7 @@ struct RemakeParams {
         "shorter marker in the best result only.");
     v.optional("keepTrims", self.keep_trims,
                "True: after the search for a shorter marker, do not move small pieces into gaps.");
-    v.optional("fine", self.fine, "Whether the search is four times as long, and its result is refined.");
+    v.optional("fine", self.fine, "Whether the result is refined, after a search four times as long.");
     v.optional("nest", self.nest, "Whether the order is nested from nothing when no attempt gives a marker.");
     v.optional("nestMoves", self.nest_moves, "The budget of nesting from nothing, in moves of a piece.",
                {.range = {{1, kMostMoves}}});

@@ -84,7 +84,7 @@ export interface SearchMethods {
       thorough?: boolean;
       /** True: after the search for a shorter marker, do not move small pieces into gaps. */
       keepTrims?: boolean;
-      /** Whether the search is four times as long, and its result is refined. */
+      /** Whether the result is refined, after a search four times as long. */
       fine?: boolean;
       /** Whether the order is nested from nothing when no attempt gives a marker. */
       nest?: boolean;
