@@ -6,7 +6,7 @@
 //
 // The orders have the seeds SEED, SEED + 1, ...; without stored markers, the garment's own marker is the only
 // one. --tries: tries for each order. --trials: trials of moving small pieces into gaps; 0 for none. --fine:
-// also refines the results, like accuracy fine. --match: what pieces are compared by besides their shapes: `ids`
+// also remakes every order with `fine`. --match: what pieces are compared by besides their shapes: `ids`
 // (the default: an order's shapes have the ids of the garment's), or `shapes` (nothing: an order's shapes have ids of
 // their own), and with such ids `names`, `sizes`, `labels`, which are both, or `whole`, which are names that contain
 // the size. --name-price, --size-price: see core/matching/label.h. --outlines: also writes every result to the folder

@@ -56,7 +56,7 @@ struct Attempt {
 
 struct AttemptSettings {
   bool trims{true};  // move small pieces in the end
-  bool fine{};       // swap and tilt as accuracy fine does
+  bool fine{};       // search for longer, then swap and tilt as accuracy fine does
   RemakeTuning tuning{};
 };
 
