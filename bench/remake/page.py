@@ -73,7 +73,7 @@ class Results:
         return (named(self.change, self.part), len(orders), f"{100 * len(apart) / len(orders):.0f} %",
                 median(lost(apart)), median(fine) + (f" ({len(fine)})" if fine else ""),
                 median([order["seconds"] for order in orders]), f"{len(quick)}, {median(quick)}",
-                ", ".join(map(str, by)), "yes" if all(order["valid"] for order in apart) else "NO")
+                ", ".join(map(str, by)), "yes" if all(order["valid"] and order.get("fine_valid", True) for order in apart) else "NO")
 
     def losses(self):
         """The median loss of each garment."""

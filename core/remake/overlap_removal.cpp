@@ -78,6 +78,16 @@ class OverlapRemover {
     return std::move(popping->marker);
   }
 
+  // Makes room before search `k`, where the one before has left this loss.
+  void lengthen(nesting::layout::Layout& layout, const nesting::layout::PieceSet& set,
+                nesting::local_search::GuidedSearch& search, int k, double loss) const {
+    if (k == 0) return stretch(set, layout, 1 + tuning_.first_growth);
+    const auto piece = search.most_overlapping(layout, std::nullopt);
+    if (!piece || loss > tuning_.few_overlaps * set.across()) return stretch(set, layout, 1 + tuning_.search_growth);
+    // Left of the piece's middle, so that the piece itself moves away, too.
+    set_length(set, layout, layout.length + loss, std::nextafter(placed_box(set, layout, *piece).middle_x(), 0));
+  }
+
   std::optional<OverlapRemoval> by_search() {
     Marker marker = placed_only(start_);
     // The search knows no tilts, but it can keep those that pieces have.
@@ -92,14 +102,7 @@ class OverlapRemover {
     const auto over = [this] { return run_.stopped(); };
     double loss = 0;
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
-      if (k == 0) {
-        stretch(*set, layout, 1 + tuning_.first_growth);
-      } else if (const auto piece = search.most_overlapping(layout, std::nullopt);
-                 piece && loss <= tuning_.few_overlaps * set->across()) {
-        set_length(*set, layout, layout.length + loss, std::nextafter(placed_box(*set, layout, *piece).middle_x(), 0));
-      } else {
-        stretch(*set, layout, 1 + tuning_.search_growth);
-      }
+      lengthen(layout, *set, search, k, loss);
       if (longest_ && layout.length * set->lattice_units > static_cast<double>(*longest_)) break;
       auto outcome = search.separate(layout, {tuning_.search_patience, tuning_.search_strikes}, over);
       layout = std::move(outcome.layout);

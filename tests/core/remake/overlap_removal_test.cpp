@@ -93,6 +93,24 @@ TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
   EXPECT_FALSE(parted_by_search(two_tall_columns()).empty());
 }
 
+// Three blocks across the strip that lie a little on each other.
+TEST(OverlapRemoval, LengthensTheMarkerByLittleMoreThanFewOverlapsNeed) {
+  test::Layout layout{50'000};
+  const auto block = layout.shape_of(test::rectangle(20'000, 50'000));
+  const Marker marker = layout.put(block, {0, 0}).put(block, {19'000, 0}).put(block, {38'000, 0}).marker();
+  constexpr Coord kLongest = 66'000;
+  SumCache sums;
+  RemakeTuning tuning = only_search();
+  tuning.first_growth = 0;
+  tuning.few_overlaps = 0;
+  EXPECT_FALSE(remove_overlaps(marker, tuning, scene::Run{sums}, kLongest));
+  tuning.few_overlaps = 1;
+  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums}, kLongest);
+  ASSERT_TRUE(apart);
+  EXPECT_EQ(apart->by, RemovedBy::kSearch);
+  EXPECT_TRUE(is_valid(apart->marker));
+}
+
 // When there is another draft already.
 TEST(OverlapRemoval, DoesNotSearchInMarkersThatAreTooLong) {
   const Marker marker = two_tall_columns();
