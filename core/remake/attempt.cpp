@@ -36,12 +36,12 @@ class Attempting {
   Attempting(const Marker& order, const AttemptSettings& settings, const scene::Run& run)
       : order_{order}, settings_{settings}, run_{run} {}
 
-  Draft draft(const Candidate& candidate, std::optional<Coord> longest) {
+  Draft draft(const Candidate& candidate, Removal removal) {
     attempt_.stored = candidate.arrangement.stored;
     attempt_.difference = candidate.difference;
     attempt_.predicted = candidate.predicted;
     attempt_.used = candidate.used;
-    if (!take_over(candidate, longest) || !insert()) return {std::move(attempt_), std::nullopt, std::nullopt};
+    if (!take_over(candidate, removal) || !insert()) return {std::move(attempt_), std::nullopt, std::nullopt};
     conclude();
     return {std::move(attempt_), std::move(marker_), std::nullopt};
   }
@@ -76,14 +76,14 @@ class Attempting {
   }
 
   // Substitution and overlap removal.  False when overlaps remain.
-  bool take_over(const Candidate& candidate, std::optional<Coord> longest) {
+  bool take_over(const Candidate& candidate, Removal removal) {
     substitution::Substitution start = substituted(order_, candidate, settings_.tuning, run_);
     marker_ = std::move(start.marker);
     if (marker_.pieces.empty()) return false;
     const bool clear = all_clear(marker::PlacedPieces{marker_}, marker_.strip);
     record(StepKind::kSubstituted, start.swaps, clear);
     if (!clear) stretch(candidate.arrangement.area);
-    auto apart = remove_overlaps(marker_, settings_.tuning, run_, longest);
+    auto apart = remove_overlaps(marker_, settings_.tuning, run_, removal);
     if (!apart) return false;
     marker_ = std::move(apart->marker);
     attempt_.programs += apart->programs;
@@ -137,6 +137,7 @@ class Attempting {
 
   // A short search for a shorter marker: separation pays with length, and pieces at the end may belong into gaps.
   void rearrange(Marker from, std::uint64_t moves) {
+    if (moves < from.pieces.size()) return;
     nesting::NestSettings settings;
     settings.moves = moves;
     settings.tuning.bold_patience = settings_.tuning.bold_patience;
@@ -202,8 +203,8 @@ class Attempting {
 }  // namespace
 
 Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings, const scene::Run& run,
-              std::optional<Coord> longest) {
-  return Attempting{order, settings, run}.draft(candidate, longest);
+              Removal removal) {
+  return Attempting{order, settings, run}.draft(candidate, removal);
 }
 
 double loss_of(const Draft& draft) {

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/remake/overlap_removal.h"
 #include "core/remake/substitution/choice.h"
 #include "core/remake/substitution/tuning.h"
 #include "core/scene/run.h"
@@ -20,7 +21,6 @@
 namespace selvage::remake {
 
 using substitution::Candidate;
-using substitution::RemakeTuning;
 
 // What a step did; the order is that of an attempt.
 enum class StepKind {
@@ -70,9 +70,8 @@ struct Draft {
 // order's pieces in the order's sequence: first the placed ones, then those that were not.  (2) For an order that is
 // the stored marker's own, it is no longer than that marker.  (3) A tilted marker and a finished one are no longer than
 // their draft.  (4) Deterministic, whatever the cache holds; when cancelled, the best so far.
-// `longest`: see remove_overlaps.
 [[nodiscard]] Draft drafted(const Marker& order, const Candidate& candidate, const AttemptSettings& settings,
-                            const scene::Run& run, std::optional<Coord> longest = std::nullopt);
+                            const scene::Run& run, Removal removal = Removal::kAnyWay);
 // The draft with small tilts, where they shorten its marker; once they were tried, they are not tried again.
 [[nodiscard]] Draft tilted(const Marker& order, Draft draft, const AttemptSettings& settings, const scene::Run& run);
 // How a draft is finished.

@@ -26,18 +26,18 @@ Marker placed_only(Marker marker) {
 
 class OverlapRemover {
  public:
-  OverlapRemover(const Marker& start, const RemakeTuning& tuning, const scene::Run& run, std::optional<Coord> longest)
-      : start_{start}, tuning_{tuning}, run_{run}, longest_{longest} {}
+  OverlapRemover(const Marker& start, const RemakeTuning& tuning, const scene::Run& run)
+      : start_{start}, tuning_{tuning}, run_{run} {}
 
-  std::optional<OverlapRemoval> run() {
+  std::optional<OverlapRemoval> run(Removal removal) {
     if (all_clear(marker::PlacedPieces{start_}, start_.strip)) return OverlapRemoval{start_, RemovedBy::kNothing, 0, 0};
     std::optional<OverlapRemoval> best = by_programs(tuning_.first_pops);
-    if (run_.stopped()) return best;
+    if (removal == Removal::kQuick || run_.stopped()) return best;
     if (best && (best->by == RemovedBy::kSeparation || !much_longer(best->marker))) return best;
     if (auto other = by_search(); other && (!best || length_of(other->marker) < length_of(best->marker))) {
       best = std::move(other);
     }
-    if (!best && !longest_ && !run_.stopped()) best = by_programs(tuning_.pops);
+    if (!best && !run_.stopped()) best = by_programs(tuning_.pops);
     if (best) best->programs = programs_;
     return best;
   }
@@ -103,7 +103,6 @@ class OverlapRemover {
     double loss = 0;
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
       lengthen(layout, *set, search, k, loss);
-      if (longest_ && layout.length * set->lattice_units > static_cast<double>(*longest_)) break;
       auto outcome = search.separate(layout, {tuning_.search_patience, tuning_.search_strikes}, over);
       layout = std::move(outcome.layout);
       loss = outcome.loss;
@@ -121,15 +120,14 @@ class OverlapRemover {
   const Marker& start_;
   const RemakeTuning& tuning_;
   const scene::Run& run_;
-  const std::optional<Coord> longest_;
   int programs_{};
 };
 
 }  // namespace
 
 std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning, const scene::Run& run,
-                                              std::optional<Coord> longest) {
-  return OverlapRemover{start, tuning, run, longest}.run();
+                                              Removal removal) {
+  return OverlapRemover{start, tuning, run}.run(removal);
 }
 
 }  // namespace selvage::remake

@@ -22,6 +22,12 @@ using substitution::RemakeTuning;
 // What removed the overlaps.
 enum class RemovedBy { kNothing, kSeparation, kPopping, kSearch };
 
+// Which of the ways are tried.
+enum class Removal {
+  kAnyWay,
+  kQuick,  // only linear programs, with few pieces popped
+};
+
 struct OverlapRemoval {
   Marker marker;         // valid; popped pieces are put back, so all pieces of the substitution are placed
   RemovedBy by{};        // kNothing: there were none
@@ -29,11 +35,9 @@ struct OverlapRemoval {
   int programs{};        // linear programs solved
 };
 // Nothing when the pieces did not come apart, or when cancelled before.  Unplaced pieces are left as they are.
-// `longest`: there is another draft, so that no search is made in a longer marker, nor are more pieces popped.
 // REQUIRES: the strip has no end.  Laws.  (1) The answer is valid, proved in integers.  (2) A marker that is valid is
 // left as it is.  (3) Deterministic, whatever the cache holds.
 [[nodiscard]] std::optional<OverlapRemoval> remove_overlaps(const Marker& start, const RemakeTuning& tuning,
-                                                            const scene::Run& run,
-                                                            std::optional<Coord> longest = std::nullopt);
+                                                            const scene::Run& run, Removal removal = Removal::kAnyWay);
 
 }  // namespace selvage::remake

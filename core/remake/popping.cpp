@@ -53,6 +53,7 @@ class Popper {
     settings.most_popped = most_;
     settings.small = tuning_.trim * substitution::placed_area(start_) / static_cast<double>(start_.pieces.size());
     settings.tuning.patience = tuning_.separation_patience;
+    settings.tuning.hopeless = tuning_.separation_hopeless;
     auto separated = motion::separation::separate(marker, settings, run_.quiet());
     if (!separated || run_.stopped()) return std::nullopt;
     programs_ += separated->programs;

@@ -107,7 +107,7 @@ class Trying {
   }
   void draft(std::size_t k, const scene::Run& run) {
     if (run_.stopped()) return;
-    drafts_[k] = drafted(order_, candidates_[k], settings_.attempt, run.quiet(), k == 0 ? std::nullopt : longest());
+    drafts_[k] = drafted(order_, candidates_[k], settings_.attempt, run.quiet(), removal_of(k));
     progress_.report(drafts_[k].attempt);
   }
   void tilt(std::size_t k, const scene::Run& run) {
@@ -120,10 +120,9 @@ class Trying {
     drafts_[k].attempt = finished(order_, std::move(drafts_[k]), search, settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
   }
-  // Of the drafts after the first.
-  [[nodiscard]] std::optional<Coord> longest() const {
-    if (settings_.thorough || !drafts_[0].marker) return std::nullopt;
-    return length_of(*drafts_[0].marker);
+  // Once there is a draft, only quick ways pay: what else comes apart, hardly ever ends shorter.
+  [[nodiscard]] Removal removal_of(std::size_t k) const {
+    return k == 0 || settings_.thorough || !drafts_[0].marker ? Removal::kAnyWay : Removal::kQuick;
   }
   [[nodiscard]] bool near_enough(std::size_t k) const {
     return loss_of(drafts_[k]) <= settings_.attempt.tuning.near_enough;

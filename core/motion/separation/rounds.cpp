@@ -77,7 +77,7 @@ scene::StopReason Rounds::iterate(Separation& total) {
   for (int idle = 0; !apart(); ++idle) {
     if (run_.stopped()) return scene::StopReason::kCancelled;
     if (total.rounds == last) return scene::StopReason::kWorkLimit;
-    if (idle == tuning().patience) return scene::StopReason::kConverged;
+    if (idle == tuning().patience || is_hopeless(total.rounds - first)) return scene::StopReason::kConverged;
     if (idle % tuning().leap_after == 0 && only_rounding_left() && repaired()) break;
     if (idle > 0 && idle % tuning().leap_after == 0) {
       if (!leap(idle / tuning().leap_after)) return scene::StopReason::kCancelled;
@@ -130,6 +130,11 @@ void Rounds::restore_best(const Best& start) {
   if (find_overlaps() && remaining() <= start.remaining) return;
   place(start.positions);
   find_overlaps();
+}
+
+bool Rounds::is_hopeless(int rounds) const {
+  return rounds >= tuning().hopeless_after &&
+         best_.remaining > tuning().hopeless * static_cast<double>(scene_.marker.strip.width);
 }
 
 bool Rounds::is_small(std::uint32_t piece) const {

@@ -53,6 +53,8 @@ class Rounds {
   // Returns to the best positions found, without the excess length; no worse than the start.
   void restore_best(const Best& start);
 
+  // Whether these rounds have left so much overlap that more of them are given up.
+  [[nodiscard]] bool is_hopeless(int rounds) const;
   [[nodiscard]] bool is_small(std::uint32_t piece) const;
   [[nodiscard]] const SeparationTuning& tuning() const { return settings_.tuning; }
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }

@@ -23,14 +23,15 @@ struct RemakeTuning {
   double column_slip{0.02};        // pieces that share less of x than this may pass each other
   double swap_price{0.25};         // a swap may cost at most this part of the swapped pieces' area
   // Coming apart:
-  double growth{0.04};         // part of its length by which separation may lengthen the marker
-  int separation_rounds{12};   // at most
-  int separation_patience{8};  // rounds without progress before separation gives up
-  double trim{0.35};           // of the mean area of the pieces: larger ones are popped after smaller ones
-  std::size_t first_pops{1};   // pieces popped at most, before the search,
-  std::size_t pops{6};         // and after it has failed
-  double popped_growth{0.02};  // part of its length: when popping makes the marker longer, a search is tried, too
-  double same_spot{0.002};     // shrunken copies this near to each other are restored only once
+  double growth{0.04};               // part of its length by which separation may lengthen the marker
+  int separation_rounds{12};         // at most
+  int separation_patience{8};        // rounds without progress before separation gives up
+  double separation_hopeless{0.02};  // or depths that its first two rounds leave, added up, beyond which it does
+  double trim{0.35};                 // of the mean area of the pieces: larger ones are popped after smaller ones
+  std::size_t first_pops{1};         // pieces popped at most, before the search,
+  std::size_t pops{6};               // and after it has failed
+  double popped_growth{0.02};        // part of its length: when popping makes the marker longer, a search is tried, too
+  double same_spot{0.002};           // shrunken copies this near to each other are restored only once
   // The guided local search, when linear programs cannot part the pieces.  Pieces that are larger than the stored ones
   // never come apart in the marker's own length, and finding that out costs more than all that follows.
   double first_growth{0.03};    // part of its length by which the marker grows before the first search,
@@ -40,12 +41,13 @@ struct RemakeTuning {
   std::size_t search_patience{60}, search_strikes{1};
   // Afterwards:
   int tilt_rounds{3};        // of small tilts: the first ones give nearly all of what many would
-  double hopeless{0.025};    // utilisation below that of the stored marker from which on drafts are searched untilted
+  double hopeless{0.02};     // utilisation below that of the stored marker from which on drafts are searched untilted
   double near_enough{0.01};  // utilisation below that of the stored marker at which no other one is tried,
   double as_good{0.003};     // and at which this one is neither tilted nor searched
   // The search for a shorter marker.  From a draft that is not near enough it makes `moves_per_piece` moves for each
   // piece, or as many as `work` allows, if that is more; from one that is near enough, as many as `short_work` allows.
   // Work is moves times pieces, because a move takes longer the more pieces there are.
+  // Fewer moves than pieces are not made.
   std::uint64_t moves_per_piece{40}, work{400'000}, short_work{100'000};
   std::uint64_t fine_factor{4};      // with `fine`, so many times the moves
   std::uint64_t untilted_factor{2};  // where no piece may tilt, so many times `moves_per_piece`: tilts take as long

@@ -94,29 +94,30 @@ TEST(OverlapRemoval, SearchesWhereNothingElseHelps) {
 }
 
 // Three blocks across the strip that lie a little on each other.
-TEST(OverlapRemoval, LengthensTheMarkerByLittleMoreThanFewOverlapsNeed) {
+TEST(OverlapRemoval, LengthensTheMarkerByWhatFewOverlapsNeed) {
   test::Layout layout{50'000};
   const auto block = layout.shape_of(test::rectangle(20'000, 50'000));
   const Marker marker = layout.put(block, {0, 0}).put(block, {19'000, 0}).put(block, {38'000, 0}).marker();
-  constexpr Coord kLongest = 66'000;
   SumCache sums;
   RemakeTuning tuning = only_search();
   tuning.first_growth = 0;
+  tuning.searches = 2;  // the first of them in the marker's own length
+  tuning.search_growth = 0.001;
+  tuning.pops = 0;
   tuning.few_overlaps = 0;
-  EXPECT_FALSE(remove_overlaps(marker, tuning, scene::Run{sums}, kLongest));
+  EXPECT_FALSE(remove_overlaps(marker, tuning, scene::Run{sums}));
   tuning.few_overlaps = 1;
-  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums}, kLongest);
+  const auto apart = remove_overlaps(marker, tuning, scene::Run{sums});
   ASSERT_TRUE(apart);
   EXPECT_EQ(apart->by, RemovedBy::kSearch);
   EXPECT_TRUE(is_valid(apart->marker));
 }
 
-// When there is another draft already.
-TEST(OverlapRemoval, DoesNotSearchInMarkersThatAreTooLong) {
+TEST(OverlapRemoval, DoesNotSearchWhenItIsToBeQuick) {
   const Marker marker = two_tall_columns();
   SumCache sums;
-  EXPECT_FALSE(remove_overlaps(marker, only_search(), scene::Run{sums}, length_of(marker)));
-  EXPECT_TRUE(remove_overlaps(marker, only_search(), scene::Run{sums}, 2 * length_of(marker)));
+  EXPECT_TRUE(remove_overlaps(marker, only_search(), scene::Run{sums}));
+  EXPECT_FALSE(remove_overlaps(marker, only_search(), scene::Run{sums}, Removal::kQuick));
 }
 
 // The stored marker's tilts are part of what makes it dense.

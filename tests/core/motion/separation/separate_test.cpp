@@ -125,6 +125,16 @@ TEST(Separate, ReportsRemainingOverlaps) {
   EXPECT_NEAR(depth, 100, 1e-6);  // 600 into 500
 }
 
+TEST(Separate, GivesUpEarlyWhenTooMuchOverlapIsLeft) {
+  SeparationSettings settings;
+  const int patient = separated(overfull(), settings).rounds;
+  settings.tuning.hopeless = 0.01;
+  const auto result = separated(overfull(), settings);
+  EXPECT_FALSE(result.apart);
+  EXPECT_EQ(result.rounds, settings.tuning.hopeless_after);
+  EXPECT_LT(result.rounds, patient);
+}
+
 TEST(Separate, LockedPiecesThatOverlapRemain) {
   Marker start = two_squares(30);
   start.pieces[0].locked = start.pieces[1].locked = true;
