@@ -57,6 +57,12 @@ std::pair<Polygon, Polygon> normal_form(const Figure& figure) {
   return {normal_form(figure.polygon, -figure.box.low), normal_form(figure.part_polygon, -figure.box.low)};
 }
 
+// Whether the box has more room to move across the strip than along it, for its size.
+bool has_more_room_across(const Box& range, const Box& box) {
+  const auto real = [](Coord coord) { return static_cast<double>(coord); };
+  return real(range.height()) * real(box.width()) > real(range.width()) * real(box.height());
+}
+
 // A body being made: its pieces' figures in every variant.
 struct Draft {
   std::vector<std::uint32_t> pieces;
@@ -173,7 +179,9 @@ class BodyMaker {
       if (ties_.y[piece] == model::Ties::kFixed) range.low.y = range.high.y = now.y;
       const RealVec low = geometry::real(range.low);
       const RealVec high = geometry::real(range.high);
-      body.variants.push_back({{low.x, low.y, high.x, high.y}, static_cast<double>(box->width())});
+      body.variants.push_back({{low.x, low.y, high.x, high.y},
+                               static_cast<double>(box->width()),
+                               has_more_room_across(draft.ranges[v], *box)});
     }
     if (!draft.figures.empty()) {
       for (const Figure& figure : draft.figures.front())

@@ -21,8 +21,9 @@ using cells::RealBox;
 using cells::WedgeRing;
 
 struct BodyVariant {
-  RealBox range;   // allowed positions; where the length is minimised, the ceiling limits x further
-  double width{};  // along x
+  RealBox range;            // allowed positions; where the length is minimised, the ceiling limits x further
+  double width{};           // along x
+  bool more_room_across{};  // for its size, along y
 };
 
 struct Body {
@@ -49,6 +50,11 @@ struct Problem {
   // half turn, one has it there (core/packing/bodies/mirror.h).  Only where the length is minimised.
   std::optional<std::uint32_t> left_half{};
 
+  // Whether bodies of one kind in this variant are kept in order by y, and not by x.  Where there is more room for
+  // their size they lie one behind another, and the order excludes most; but `left_half` relies on an order by x.
+  [[nodiscard]] bool is_ordered_by_y(std::uint32_t body, std::uint32_t variant) const {
+    return !minimises_length && bodies[body].variants[variant].more_room_across;
+  }
   [[nodiscard]] std::uint32_t world() const { return static_cast<std::uint32_t>(bodies.size()); }
 };
 
