@@ -71,6 +71,18 @@ struct Draft {
   bool alone{};                              // one piece, free on both axes
 };
 
+void add_free_cells(branching::Problem& problem) {
+  for (std::uint32_t body = 0; body < problem.bodies.size(); ++body) {
+    auto& cells = problem.free_cells.emplace_back(problem.bodies[body].variants.size());
+    for (std::uint32_t variant = 0; variant < cells.size(); ++variant) {
+      const auto fixed = problem.between.find({{problem.world(), 0}, {body, variant}});
+      if (fixed == problem.between.end()) continue;
+      cells[variant].emplace(problem.bodies[body].variants[variant].range);
+      for (const std::uint32_t ring : fixed->second) cells[variant]->exclude(problem.rings[ring]);
+    }
+  }
+}
+
 class BodyMaker {
  public:
   BodyMaker(const Marker& marker, const Freedom& freedom, const scene::Run& run)
@@ -89,6 +101,7 @@ class BodyMaker {
     for (const Draft& draft : drafts_) add_body(draft);
     set_kinds();
     add_rings();
+    add_free_cells(bodies_.problem);
     return std::move(bodies_);
   }
 

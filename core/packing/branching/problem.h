@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/packing/cells/free_cells.h"
 #include "core/packing/cells/wedge_ring.h"
 
 namespace selvage::packing::branching {
@@ -44,6 +45,8 @@ struct Problem {
   // The rings of two bodies in given variants, the first before the second; fixed pieces are `{world(), 0}`, which
   // comes last as a body but first in pairs.
   std::map<std::pair<Chosen, Chosen>, std::vector<std::uint32_t>> between;
+  // By body and variant; nothing where no fixed piece is near.
+  std::vector<std::vector<std::optional<cells::FreeCells>>> free_cells;
   bool minimises_length{};
   double least_length{};  // no layout is shorter
   // A body whose middle may be taken to lie in the left half of any length: of a layout and its mirror image, or its

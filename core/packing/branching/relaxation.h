@@ -109,6 +109,7 @@ class Relaxation {
   [[nodiscard]] bool order_alike(Node& node, std::uint32_t body);
   [[nodiscard]] static std::optional<RealBox> trim(const WedgeRing& wedges, Arc& arc, const RealBox& box);
   [[nodiscard]] bool look(Node& node, RingState& ring);
+  [[nodiscard]] bool stays_free(Node& node);
   [[nodiscard]] bool propagate(Node& node);
   void gather(const RingState& ring, const RealBox& box);
   void make_hull(const Node& node, RingState& ring);
