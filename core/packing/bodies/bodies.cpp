@@ -10,6 +10,7 @@
 #include "core/model/ties.h"
 #include "core/packing/bodies/range_by_rules.h"
 #include "core/packing/bodies/spaced_rings.h"
+#include "core/packing/lines/chords.h"
 
 namespace selvage::packing::bodies {
 namespace {
@@ -102,6 +103,7 @@ class BodyMaker {
     set_kinds();
     add_rings();
     add_free_cells(bodies_.problem);
+    add_lines();
     return std::move(bodies_);
   }
 
@@ -249,6 +251,50 @@ class BodyMaker {
         });
       }
     }
+  }
+
+  // Whether no part of the two pieces may lie on a part of the other.
+  [[nodiscard]] bool keep_apart(std::uint32_t a, std::uint32_t b) const {
+    return !placed_.may_share_cloth(a, b) && !placed_.shows_part(a, b) && !placed_.shows_part(b, a);
+  }
+  [[nodiscard]] bool keep_apart(std::uint32_t piece, const Draft& draft) const {
+    return std::ranges::all_of(draft.pieces, [&](std::uint32_t own) { return keep_apart(piece, own); });
+  }
+
+  // The outlines of the walls, and of the fixed pieces that no body may lie on.
+  [[nodiscard]] std::vector<Polygon> obstacles() const {
+    std::vector<Polygon> obstacles = freedom_.container.walls;
+    for (const std::uint32_t piece : fixed_) {
+      if (!std::ranges::all_of(drafts_, [&](const Draft& draft) { return keep_apart(piece, draft); })) continue;
+      const geometry::PlacedPolygon own = placed_[piece];
+      obstacles.emplace_back(own.vertices.begin(), own.vertices.end());
+      for (Vec& corner : obstacles.back()) corner = corner + own.at;
+    }
+    return obstacles;
+  }
+
+  void add_lines() {
+    std::vector<std::vector<std::vector<Polygon>>> figures(drafts_.size());
+    for (std::size_t body = 0; body < drafts_.size(); ++body) {
+      const Draft& draft = drafts_[body];
+      if (draft.figures.empty()) return;
+      for (std::size_t other = 0; other < body; ++other) {
+        const auto apart = [&](std::uint32_t piece) { return keep_apart(piece, drafts_[other]); };
+        if (!std::ranges::all_of(draft.pieces, apart)) return;
+      }
+      for (std::size_t v = 0; v < draft.figures.size(); ++v) {
+        figures[body].emplace_back();
+        for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
+          Polygon polygon = draft.figures[v][k].polygon;
+          for (Vec& corner : polygon) corner = corner + layouts_[body][v].offsets[k];
+          figures[body].back().push_back(std::move(polygon));
+        }
+      }
+    }
+    const std::vector<Polygon> fixed = obstacles();
+    const Box& room = freedom_.container.box;
+    bodies_.problem.lines = {lines_across(lines::Crossing::kX, room, fixed, figures),
+                             lines_across(lines::Crossing::kY, room, fixed, figures)};
   }
 
   template <class Visit>

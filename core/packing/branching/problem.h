@@ -7,6 +7,7 @@
 // Units: lattice units, in doubles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,11 +16,13 @@
 
 #include "core/packing/cells/free_cells.h"
 #include "core/packing/cells/wedge_ring.h"
+#include "core/packing/lines/chords.h"
 
 namespace selvage::packing::branching {
 
 using cells::RealBox;
 using cells::WedgeRing;
+using lines::Lines;
 
 struct BodyVariant {
   RealBox range;            // allowed positions; where the length is minimised, the ceiling limits x further
@@ -47,6 +50,7 @@ struct Problem {
   std::map<std::pair<Chosen, Chosen>, std::vector<std::uint32_t>> between;
   // By body and variant; nothing where no fixed piece is near.
   std::vector<std::vector<std::optional<cells::FreeCells>>> free_cells;
+  std::array<Lines, 2> lines;  // across x and across y; without any where bodies may overlap
   bool minimises_length{};
   double least_length{};  // no layout is shorter
   // A body whose middle may be taken to lie in the left half of any length: of a layout and its mirror image, or its

@@ -137,6 +137,7 @@ bool Relaxation::stays_free(Node& node) {
 }
 
 bool Relaxation::propagate(Node& node) {
+  bool on_lines = false;  // the lines have been looked at since the last look at a ring
   for (int round = 0; round < tuning_.propagations; ++round) {
     bool any = false;
     if (!stays_free(node)) return false;
@@ -145,7 +146,9 @@ bool Relaxation::propagate(Node& node) {
       if (!look(node, ring)) return false;
       any = true;
     }
-    if (!any) break;
+    if (!any && on_lines) break;
+    if (!any && !fit_on_lines(node)) return false;
+    on_lines = !any;
   }
   return true;
 }
