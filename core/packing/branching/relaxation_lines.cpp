@@ -107,6 +107,8 @@ bool Relaxation::fit_on(Node& node, const Lines& lines, DifferenceBounds& bounds
   const std::uint32_t world = problem_->world();
   const bool ends_at_ceiling = problem_->minimises_length && &bounds == &node.y;
   const double longest = ends_at_ceiling ? ceiling_ - lines.low + lines::kChordSlack : lines.room.front();
+  double most = 0;  // of all chords
+  for (std::uint32_t body = 0; body < world; ++body) most = std::max(most, chords_in(node, lines, body).most);
   for (std::size_t line = 0; line < lines.at.size(); ++line) {
     if (on_lines_.sums[line] <= 0) continue;
     const double room = ends_at_ceiling ? std::min(lines.room[line], longest) : lines.room[line];
@@ -115,7 +117,7 @@ bool Relaxation::fit_on(Node& node, const Lines& lines, DifferenceBounds& bounds
       conflict_ = why_covered(node, bounds, line, world, -spare);
       return false;
     }
-    for (std::uint32_t body = 0; body < world; ++body) {
+    for (std::uint32_t body = 0; body < world && spare < most; ++body) {
       const double own = on_lines_.own[line * world + body];
       if (chords_in(node, lines, body).most <= spare + own) continue;
       if (!keep_beside_line(node, lines, bounds, line, body, spare + own)) return false;
