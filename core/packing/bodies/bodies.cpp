@@ -10,6 +10,7 @@
 #include "core/model/ties.h"
 #include "core/packing/bodies/range_by_rules.h"
 #include "core/packing/bodies/spaced_rings.h"
+#include "core/packing/lines/chords.h"
 
 namespace selvage::packing::bodies {
 namespace {
@@ -57,6 +58,12 @@ std::pair<Polygon, Polygon> normal_form(const Figure& figure) {
   return {normal_form(figure.polygon, -figure.box.low), normal_form(figure.part_polygon, -figure.box.low)};
 }
 
+// Whether the box has more room to move across the strip than along it, for its size.
+bool has_more_room_across(const Box& range, const Box& box) {
+  const auto real = [](Coord coord) { return static_cast<double>(coord); };
+  return real(range.height()) * real(box.width()) > real(range.width()) * real(box.height());
+}
+
 // A body being made: its pieces' figures in every variant.
 struct Draft {
   std::vector<std::uint32_t> pieces;
@@ -64,6 +71,18 @@ struct Draft {
   std::vector<Box> ranges;                   // of the body's position, by variant
   bool alone{};                              // one piece, free on both axes
 };
+
+void add_free_cells(branching::Problem& problem) {
+  for (std::uint32_t body = 0; body < problem.bodies.size(); ++body) {
+    auto& cells = problem.free_cells.emplace_back(problem.bodies[body].variants.size());
+    for (std::uint32_t variant = 0; variant < cells.size(); ++variant) {
+      const auto fixed = problem.between.find({{problem.world(), 0}, {body, variant}});
+      if (fixed == problem.between.end()) continue;
+      cells[variant].emplace(problem.bodies[body].variants[variant].range);
+      for (const std::uint32_t ring : fixed->second) cells[variant]->exclude(problem.rings[ring]);
+    }
+  }
+}
 
 class BodyMaker {
  public:
@@ -83,6 +102,8 @@ class BodyMaker {
     for (const Draft& draft : drafts_) add_body(draft);
     set_kinds();
     add_rings();
+    add_free_cells(bodies_.problem);
+    add_lines();
     return std::move(bodies_);
   }
 
@@ -173,7 +194,9 @@ class BodyMaker {
       if (ties_.y[piece] == model::Ties::kFixed) range.low.y = range.high.y = now.y;
       const RealVec low = geometry::real(range.low);
       const RealVec high = geometry::real(range.high);
-      body.variants.push_back({{low.x, low.y, high.x, high.y}, static_cast<double>(box->width())});
+      body.variants.push_back({{low.x, low.y, high.x, high.y},
+                               static_cast<double>(box->width()),
+                               has_more_room_across(draft.ranges[v], *box)});
     }
     if (!draft.figures.empty()) {
       for (const Figure& figure : draft.figures.front())
@@ -228,6 +251,50 @@ class BodyMaker {
         });
       }
     }
+  }
+
+  // Whether no part of the two pieces may lie on a part of the other.
+  [[nodiscard]] bool keep_apart(std::uint32_t a, std::uint32_t b) const {
+    return !placed_.may_share_cloth(a, b) && !placed_.shows_part(a, b) && !placed_.shows_part(b, a);
+  }
+  [[nodiscard]] bool keep_apart(std::uint32_t piece, const Draft& draft) const {
+    return std::ranges::all_of(draft.pieces, [&](std::uint32_t own) { return keep_apart(piece, own); });
+  }
+
+  // The outlines of the walls, and of the fixed pieces that no body may lie on.
+  [[nodiscard]] std::vector<Polygon> obstacles() const {
+    std::vector<Polygon> obstacles = freedom_.container.walls;
+    for (const std::uint32_t piece : fixed_) {
+      if (!std::ranges::all_of(drafts_, [&](const Draft& draft) { return keep_apart(piece, draft); })) continue;
+      const geometry::PlacedPolygon own = placed_[piece];
+      obstacles.emplace_back(own.vertices.begin(), own.vertices.end());
+      for (Vec& corner : obstacles.back()) corner = corner + own.at;
+    }
+    return obstacles;
+  }
+
+  void add_lines() {
+    std::vector<std::vector<std::vector<Polygon>>> figures(drafts_.size());
+    for (std::size_t body = 0; body < drafts_.size(); ++body) {
+      const Draft& draft = drafts_[body];
+      if (draft.figures.empty()) return;
+      for (std::size_t other = 0; other < body; ++other) {
+        const auto apart = [&](std::uint32_t piece) { return keep_apart(piece, drafts_[other]); };
+        if (!std::ranges::all_of(draft.pieces, apart)) return;
+      }
+      for (std::size_t v = 0; v < draft.figures.size(); ++v) {
+        figures[body].emplace_back();
+        for (std::size_t k = 0; k < draft.pieces.size(); ++k) {
+          Polygon polygon = draft.figures[v][k].polygon;
+          for (Vec& corner : polygon) corner = corner + layouts_[body][v].offsets[k];
+          figures[body].back().push_back(std::move(polygon));
+        }
+      }
+    }
+    const std::vector<Polygon> fixed = obstacles();
+    const Box& room = freedom_.container.box;
+    bodies_.problem.lines = {lines_across(lines::Crossing::kX, room, fixed, figures),
+                             lines_across(lines::Crossing::kY, room, fixed, figures)};
   }
 
   template <class Visit>

@@ -7,22 +7,27 @@
 // Units: lattice units, in doubles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/packing/cells/free_cells.h"
 #include "core/packing/cells/wedge_ring.h"
+#include "core/packing/lines/chords.h"
 
 namespace selvage::packing::branching {
 
 using cells::RealBox;
 using cells::WedgeRing;
+using lines::Lines;
 
 struct BodyVariant {
-  RealBox range;   // allowed positions; where the length is minimised, the ceiling limits x further
-  double width{};  // along x
+  RealBox range;            // allowed positions; where the length is minimised, the ceiling limits x further
+  double width{};           // along x
+  bool more_room_across{};  // for its size, along y
 };
 
 struct Body {
@@ -43,12 +48,20 @@ struct Problem {
   // The rings of two bodies in given variants, the first before the second; fixed pieces are `{world(), 0}`, which
   // comes last as a body but first in pairs.
   std::map<std::pair<Chosen, Chosen>, std::vector<std::uint32_t>> between;
+  // By body and variant; nothing where no fixed piece is near.
+  std::vector<std::vector<std::optional<cells::FreeCells>>> free_cells;
+  std::array<Lines, 2> lines;  // across x and across y; without any where bodies may overlap
   bool minimises_length{};
   double least_length{};  // no layout is shorter
   // A body whose middle may be taken to lie in the left half of any length: of a layout and its mirror image, or its
   // half turn, one has it there (core/packing/bodies/mirror.h).  Only where the length is minimised.
   std::optional<std::uint32_t> left_half{};
 
+  // Whether bodies of one kind in this variant are kept in order by y, and not by x.  Where there is more room for
+  // their size they lie one behind another, and the order excludes most; but `left_half` relies on an order by x.
+  [[nodiscard]] bool is_ordered_by_y(std::uint32_t body, std::uint32_t variant) const {
+    return !minimises_length && bodies[body].variants[variant].more_room_across;
+  }
   [[nodiscard]] std::uint32_t world() const { return static_cast<std::uint32_t>(bodies.size()); }
 };
 

@@ -130,7 +130,8 @@ bool Relaxation::decide(Node& node, std::uint32_t body, std::uint32_t variant) {
   return true;
 }
 
-// Bodies of one kind are interchangeable: their variants ascend with their numbers, and so do their x in one variant.
+// Bodies of one kind are interchangeable: their variants ascend with their numbers, and so do their x, or y, in one
+// variant.
 bool Relaxation::order_alike(Node& node, std::uint32_t body) {
   const std::uint32_t own = node.variant[body];
   for (std::uint32_t other = 0; other < problem_->bodies.size(); ++other) {
@@ -142,7 +143,8 @@ bool Relaxation::order_alike(Node& node, std::uint32_t body) {
     conflict_ = why;
     if (before ? theirs > own : own > theirs) return false;
     if (theirs != own) continue;
-    if (!raise(node.x, before ? other : body, before ? body : other, 0, why)) return false;
+    auto& bounds = problem_->is_ordered_by_y(body, own) ? node.y : node.x;
+    if (!raise(bounds, before ? other : body, before ? body : other, 0, why)) return false;
   }
   return true;
 }

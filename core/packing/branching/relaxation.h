@@ -109,7 +109,19 @@ class Relaxation {
   [[nodiscard]] bool order_alike(Node& node, std::uint32_t body);
   [[nodiscard]] static std::optional<RealBox> trim(const WedgeRing& wedges, Arc& arc, const RealBox& box);
   [[nodiscard]] bool look(Node& node, RingState& ring);
+  [[nodiscard]] bool stays_free(Node& node);
   [[nodiscard]] bool propagate(Node& node);
+  [[nodiscard]] static const lines::Chords& chords_in(const Node& node, const Lines& lines, std::uint32_t body) {
+    const std::uint32_t variant = node.variant[body];
+    return variant == Node::kUndecided ? lines.chords[body].back() : lines.chords[body][variant];
+  }
+  [[nodiscard]] bool sum_chords(const Node& node, const Lines& lines, const DifferenceBounds& bounds);
+  [[nodiscard]] Reasons why_covered(const Node& node, const DifferenceBounds& bounds, std::size_t line,
+                                    std::uint32_t besides, double spare) const;
+  [[nodiscard]] bool keep_beside_line(const Node& node, const Lines& lines, DifferenceBounds& bounds, std::size_t line,
+                                      std::uint32_t body, double room);
+  [[nodiscard]] bool fit_on(Node& node, const Lines& lines, DifferenceBounds& bounds);
+  [[nodiscard]] bool fit_on_lines(Node& node);
   void gather(const RingState& ring, const RealBox& box);
   void make_hull(const Node& node, RingState& ring);
   [[nodiscard]] bool add_violated_rows(Node& node);
@@ -131,6 +143,11 @@ class Relaxation {
   std::vector<RealVec> points_;     // of the cells last gathered
   std::vector<HalfPlane> chords_;   // of the box in which they lie
   std::vector<RealVec> positions_;  // of the bodies and the world, at the solution
+  struct ChordSums {
+    std::vector<double> own;   // by line and body
+    std::vector<double> sums;  // by line
+  };
+  ChordSums on_lines_;  // of the node and the lines last looked at
   Conflicts conflicts_;
   std::vector<Node> spare_;  // nodes that were given back
   Ranges ranges_;            // of the node last proved something of

@@ -118,15 +118,37 @@ bool Relaxation::look(Node& node, RingState& ring) {
   return true;
 }
 
+// Moves the ends of the bodies' ranges from where fixed pieces leave them no place.
+bool Relaxation::stays_free(Node& node) {
+  for (std::uint32_t body = 0; body < problem_->free_cells.size(); ++body) {
+    const std::uint32_t variant = node.variant[body];
+    if (variant == Node::kUndecided || !problem_->free_cells[body][variant]) continue;
+    RingState own;
+    own.first = problem_->world();
+    own.second = body;
+    const RealBox box = pair_box(node, own);
+    const auto found = problem_->free_cells[body][variant]->within(box);
+    if (found && is_all_of(*found, box)) continue;
+    const Reasons why = node.why_variant[body] | why_pair_box(node, own);
+    if (!found) conflict_ = why;
+    if (!found || !raise_to(node, own, *found, why)) return false;
+  }
+  return true;
+}
+
 bool Relaxation::propagate(Node& node) {
+  bool on_lines = false;  // the lines have been looked at since the last look at a ring
   for (int round = 0; round < tuning_.propagations; ++round) {
     bool any = false;
+    if (!stays_free(node)) return false;
     for (RingState& ring : node.rings) {
       if (ring.clear || !shrank(ring.looked_at, pair_box(node, ring), tuning_.shrink)) continue;
       if (!look(node, ring)) return false;
       any = true;
     }
-    if (!any) break;
+    if (!any && on_lines) break;
+    if (!any && !fit_on_lines(node)) return false;
+    on_lines = !any;
   }
   return true;
 }

@@ -9,10 +9,10 @@
 namespace selvage::packing::guessing {
 namespace {
 
-constexpr std::uint64_t kFirstNodes = 1000;  // most searches are over before
-constexpr std::int64_t kMovesOfANode = 3;    // these take about as long as the node
-constexpr double kReach = 0.05;              // a part of the largest range
-constexpr std::uint64_t kNodesNear = 32;     // of the search near a guess
+constexpr std::uint64_t kFirstNodes = 300;  // most searches are over before
+constexpr std::int64_t kMovesOfANode = 1;   // these take less than half as long as the node
+constexpr double kReach = 0.05;             // a part of the largest range
+constexpr std::uint64_t kNodesNear = 32;    // of the search near a guess
 
 }  // namespace
 

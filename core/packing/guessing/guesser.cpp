@@ -217,10 +217,13 @@ double Guesser::raise_weights() {
 
 // Bodies of one kind change places until they are in the order that the search keeps them in.
 Guess Guesser::in_order(std::vector<Placed> placed) const {
-  const auto rank = [](const Placed& one) { return std::tuple{one.variant, one.at.x, one.at.y}; };
   for (std::size_t body = 0; body < bodies_; ++body) {
     for (std::size_t other = body + 1; other < bodies_; ++other) {
       const bool alike = problem_->bodies[other].kind == problem_->bodies[body].kind;
+      const auto rank = [&](const Placed& one) {
+        const bool by_y = problem_->is_ordered_by_y(static_cast<std::uint32_t>(body), one.variant);
+        return std::tuple{one.variant, by_y ? one.at.y : one.at.x, by_y ? one.at.x : one.at.y};
+      };
       if (alike && rank(placed[other]) < rank(placed[body])) std::swap(placed[other], placed[body]);
     }
   }

@@ -88,6 +88,20 @@ TEST(Contain, ProvesThatPiecesAreTooLarge) {
   EXPECT_EQ(contained(layout.marker(), {{1}}, Box{{0, 0}, {30'000, 30'000}}).verdict, Verdict::kImpossible);
 }
 
+// Any three of the bars fit, but no two of them beside each other.
+TEST(Contain, RefusesAStackThatIsTooHighWithoutBranching) {
+  for (const bool across : {false, true}) {
+    test::Layout layout{40'000};
+    const auto bar = layout.shape_of(across ? test::rectangle(8'000, 20'000) : test::rectangle(20'000, 8'000));
+    for (int k = 0; k < 4; ++k) layout.put(bar, {50'000, 0});
+    const Box room{{0, 0}, across ? Vec{31'000, 35'000} : Vec{35'000, 31'000}};
+    EXPECT_EQ(contained(layout.marker(), {{0}, {1}, {2}}, room).verdict, Verdict::kFound);
+    const Containment result = contained(layout.marker(), all_of(layout.marker()), room);
+    EXPECT_EQ(result.verdict, Verdict::kImpossible);
+    EXPECT_EQ(result.work.nodes, 0U);
+  }
+}
+
 TEST(Contain, IsUndecidedAtTheWorkLimit) {
   test::Layout layout{31'000};
   const auto square = layout.shape_of(test::rectangle(10'000, 10'000));

@@ -1,0 +1,37 @@
+// Where a body can lie beside all that is fixed, on a grid over its range: unlike its rings one by one, this excludes
+// what several of them exclude together.
+//
+// A cell is excluded if it lies in a single ring, with more units around it than the ring's corners are rounded by
+// (wedge_ring.h).  So a lattice position in it is forbidden for sure.
+// Units: lattice units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/packing/cells/wedge_ring.h"
+
+namespace selvage::packing::cells {
+
+class FreeCells {
+ public:
+  explicit FreeCells(const RealBox& range);
+  // Excludes the cells inside the ring.
+  void exclude(const WedgeRing& ring);
+  // A box that holds all lattice positions in `box` whose cells are free: not more than `box`, and nothing when all are
+  // excluded.  REQUIRES: `box` has whole ends and lies in the range.
+  [[nodiscard]] std::optional<RealBox> within(const RealBox& box) const;
+
+ private:
+  static constexpr std::size_t kCount = 64;  // along each axis
+  [[nodiscard]] static std::size_t at(double value, double low, double size);
+  [[nodiscard]] std::size_t column_of(double x) const { return at(x, range_.low_x, width_); }
+  [[nodiscard]] std::size_t row_of(double y) const { return at(y, range_.low_y, height_); }
+
+  RealBox range_;
+  double width_, height_;                   // of a cell
+  std::array<std::uint64_t, kCount> rows_;  // a bit for each free cell
+};
+
+}  // namespace selvage::packing::cells
