@@ -1,5 +1,5 @@
-// Lines across the room: on each, the chords that the bodies have wherever they still can be must fit side by side.  A
-// body does not lie where its chord would be longer than what the others leave; this narrows its range.
+// Lines across the room.  On each of them, the least chords that the bodies have in their present ranges must fit side
+// by side.  A body cannot lie where its chord would be longer than what the others leave free, which narrows its range.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +25,7 @@ double least_between(const lines::Chords& chords, double part, double low, doubl
 
 }  // namespace
 
-// Of every line, the least chords of the bodies and their sum.  False when no body must cross a line.
+// Computes the least chords of the bodies on every line, and their sums.  False when no body has to cross any line.
 bool Relaxation::sum_chords(const Node& node, const Lines& lines, const DifferenceBounds& bounds) {
   const std::uint32_t world = problem_->world();
   on_lines_.sums.assign(lines.at.size(), 0.0);
@@ -48,7 +48,7 @@ bool Relaxation::sum_chords(const Node& node, const Lines& lines, const Differen
   return any;
 }
 
-// Why the bodies besides one cover what they do of a line, less `spare`: the longest chords are enough.
+// Why the bodies other than `besides` cover all but `spare` of what they cover of a line: the longest chords suffice.
 Reasons Relaxation::why_covered(const Node& node, const DifferenceBounds& bounds, std::size_t line,
                                 std::uint32_t besides, double spare) const {
   const std::uint32_t world = problem_->world();
@@ -67,7 +67,7 @@ Reasons Relaxation::why_covered(const Node& node, const DifferenceBounds& bounds
   return why;
 }
 
-// Moves the ends of a body's range from where its chord on the line would be longer than `room`.
+// Moves the ends of a body's range away from positions where its chord on the line would be longer than `room`.
 bool Relaxation::keep_beside_line(const Node& node, const Lines& lines, DifferenceBounds& bounds, std::size_t line,
                                   std::uint32_t body, double room) {
   const std::uint32_t world = problem_->world();

@@ -150,7 +150,7 @@ std::vector<double> free_lengths(std::span<const double> at, double low, double 
   for (auto& parts : covered) {
     std::sort(parts.begin(), parts.end());
     double reached = low;
-    double free = kChordSlack;
+    double free = kChordSlack + 2 * kCrossingError * static_cast<double>(parts.size());
     for (const auto& [from, to] : parts) {
       free += std::max(0.0, std::min(from, high) - reached);
       reached = std::max(reached, to);

@@ -1,10 +1,11 @@
-// Lines across a container, and how much of each the pieces cover.  Pieces that do not overlap have their chords on a
-// line side by side, so these are together no longer than what is free of it: the argument of compulsory
-// parts in cumulative scheduling [Lah82].  It tells that pieces do not fit together although each two of them do.
+// Lines across a container, and how much of each line the pieces cover.  The chords of pieces that do not overlap lie
+// side by side on a line, so together they are no longer than the part of it that is free: the argument of compulsory
+// parts in cumulative scheduling [Lah82].  It shows that pieces do not fit together even where any two of them do.
 //
-// Lines cross an axis; `u` is a coordinate along it.  They lie half a unit beside lattice points, where no piece on the
-// lattice has a corner.  Outward rounding: chords are sums of crossings of edges, computed in doubles from coordinates
-// below 2^42, each wrong by less than 2^-8 units.  kChordSlack is more than the errors of 2000 of them.
+// Lines cross an axis; `u` is a coordinate along it.  They lie half a unit away from lattice points, where no piece on
+// the lattice has a corner.  Outward rounding: chords are sums of crossings of edges, computed in doubles from
+// coordinates below 2^42, each wrong by less than kCrossingError.  kChordSlack is more than the errors of all crossings
+// of one piece, which has at most geometry::kMaxVertices.
 // Units: lattice units.
 #pragma once
 
@@ -15,7 +16,9 @@
 
 namespace selvage::packing::lines {
 
+inline constexpr double kCrossingError = 1.0 / 256;
 inline constexpr double kChordSlack = 16;
+static_assert(kChordSlack > kCrossingError * geometry::kMaxVertices);
 
 enum class Crossing { kX, kY };  // the axis that the lines cross
 
@@ -28,8 +31,8 @@ struct Chords {
 
 struct Lines {
   double low{};              // where they begin, across the axis
-  std::vector<double> at;    // ascending
-  std::vector<double> room;  // no more than this is free of each
+  std::vector<double> at;    // where they cross the axis, ascending
+  std::vector<double> room;  // at most this much of each line is free
   double part{};             // of all chords
   // By figure and variant; after the variants, the least in any of them.
   std::vector<std::vector<Chords>> chords;
@@ -38,7 +41,7 @@ struct Lines {
 // The chords of polygons that keep together; where they overlap each other, those of one count.
 [[nodiscard]] Chords chords_of(std::span<const Polygon> figure, Crossing crossing, double part);
 
-// What is free of lines at `at`, from `low` to `high`, beside polygons, which may overlap each other.
+// How much of each line at `at` is free, from `low` to `high`, beside polygons, which may overlap each other.
 [[nodiscard]] std::vector<double> free_lengths(std::span<const double> at, double low, double high,
                                                std::span<const Polygon> polygons, Crossing crossing);
 
