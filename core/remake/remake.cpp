@@ -120,7 +120,7 @@ class Trying {
     drafts_[k].attempt = finished(order_, std::move(drafts_[k]), search, settings_.attempt, run.quiet());
     progress_.report(drafts_[k].attempt);
   }
-  // Once there is a draft, only quick ways pay: what else comes apart, hardly ever ends shorter.
+  // Once there is a draft, only quick ways pay: a later draft that needs a search hardly ever ends shorter.
   [[nodiscard]] Removal removal_of(std::size_t k) const {
     return k == 0 || settings_.thorough || !drafts_[0].marker ? Removal::kAnyWay : Removal::kQuick;
   }

@@ -53,7 +53,7 @@ class Rounds {
   // Returns to the best positions found, without the excess length; no worse than the start.
   void restore_best(const Best& start);
 
-  // Whether these rounds have left so much overlap that more of them are given up.
+  // Whether so much is left after this many rounds that separation gives up (SeparationTuning::hopeless).
   [[nodiscard]] bool is_hopeless(int rounds) const;
   [[nodiscard]] bool is_small(std::uint32_t piece) const;
   [[nodiscard]] const SeparationTuning& tuning() const { return settings_.tuning; }

@@ -27,8 +27,8 @@ struct SeparationTuning {
   double tolerance{1e-4};     // of the programs there: pieces may move this part more than necessary
   int patience{30};           // rounds without progress before separation gives up
   double progress{0.95};      // a round makes progress when at most this part of the overlap is left
-  // Separation also gives up when after this many rounds the depths that are left add up to more than this multiple of
-  // the strip's width.
+  // Separation also gives up after this many rounds when all depths that are left, and what lies beyond the allowed
+  // length, add up to more than this multiple of the strip's width.
   int hopeless_after{2};
   double hopeless{std::numeric_limits<double>::infinity()};
   friend bool operator==(const SeparationTuning&, const SeparationTuning&) = default;

@@ -58,7 +58,7 @@ std::pair<Polygon, Polygon> normal_form(const Figure& figure) {
   return {normal_form(figure.polygon, -figure.box.low), normal_form(figure.part_polygon, -figure.box.low)};
 }
 
-// Whether the box has more room to move across the strip than along it, for its size.
+// Whether the box has more room to move across the strip than along it, relative to its own size.
 bool has_more_room_across(const Box& range, const Box& box) {
   const auto real = [](Coord coord) { return static_cast<double>(coord); };
   return real(range.height()) * real(box.width()) > real(range.width()) * real(box.height());

@@ -27,7 +27,7 @@ using lines::Lines;
 struct BodyVariant {
   RealBox range;            // allowed positions; where the length is minimised, the ceiling limits x further
   double width{};           // along x
-  bool more_room_across{};  // for its size, along y
+  bool more_room_across{};  // to move along y than along x, relative to its size
 };
 
 struct Body {
@@ -50,15 +50,15 @@ struct Problem {
   std::map<std::pair<Chosen, Chosen>, std::vector<std::uint32_t>> between;
   // By body and variant; nothing where no fixed piece is near.
   std::vector<std::vector<std::optional<cells::FreeCells>>> free_cells;
-  std::array<Lines, 2> lines;  // across x and across y; without any where bodies may overlap
+  std::array<Lines, 2> lines;  // those that cross x, and those that cross y; none where bodies may overlap
   bool minimises_length{};
   double least_length{};  // no layout is shorter
   // A body whose middle may be taken to lie in the left half of any length: of a layout and its mirror image, or its
   // half turn, one has it there (core/packing/bodies/mirror.h).  Only where the length is minimised.
   std::optional<std::uint32_t> left_half{};
 
-  // Whether bodies of one kind in this variant are kept in order by y, and not by x.  Where there is more room for
-  // their size they lie one behind another, and the order excludes most; but `left_half` relies on an order by x.
+  // Whether bodies of one kind in this variant are kept in order by y, and not by x.  Along the axis with more room for
+  // their size they lie one behind another, so an order along it excludes most.  `left_half` relies on an order by x.
   [[nodiscard]] bool is_ordered_by_y(std::uint32_t body, std::uint32_t variant) const {
     return !minimises_length && bodies[body].variants[variant].more_room_across;
   }

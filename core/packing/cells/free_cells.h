@@ -1,8 +1,9 @@
-// Where a body can lie beside all that is fixed, on a grid over its range: unlike its rings one by one, this excludes
-// what several of them exclude together.
+// Where a body can lie beside all that is fixed, on a grid over its range.  A box of positions may be excluded by
+// several rings together although none of them excludes it alone; examining ring after ring does not show this, and the
+// grid does.
 //
-// A cell is excluded if it lies in a single ring, with more units around it than the ring's corners are rounded by
-// (wedge_ring.h).  So a lattice position in it is forbidden for sure.
+// A cell is excluded if one of the rings holds it, with more units around it than the ring's corners are rounded by
+// (wedge_ring.h).  So every lattice position in it is forbidden for sure.
 // Units: lattice units.
 #pragma once
 

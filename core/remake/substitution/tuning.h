@@ -26,7 +26,7 @@ struct RemakeTuning {
   double growth{0.04};               // part of its length by which separation may lengthen the marker
   int separation_rounds{12};         // at most
   int separation_patience{8};        // rounds without progress before separation gives up
-  double separation_hopeless{0.02};  // or depths that its first two rounds leave, added up, beyond which it does
+  double separation_hopeless{0.02};  // it also gives up when its first two rounds leave depths that add up to more
   double trim{0.35};                 // of the mean area of the pieces: larger ones are popped after smaller ones
   std::size_t first_pops{1};         // pieces popped at most, before the search,
   std::size_t pops{6};               // and after it has failed
@@ -46,8 +46,8 @@ struct RemakeTuning {
   double as_good{0.003};     // and at which this one is neither tilted nor searched
   // The search for a shorter marker.  From a draft that is not near enough it makes `moves_per_piece` moves for each
   // piece, or as many as `work` allows, if that is more; from one that is near enough, as many as `short_work` allows.
-  // Work is moves times pieces, because a move takes longer the more pieces there are.
-  // Fewer moves than pieces are not made.
+  // Work is moves times pieces, because a move takes longer the more pieces there are.  A search that would have fewer
+  // moves than pieces is left out.
   std::uint64_t moves_per_piece{40}, work{400'000}, short_work{100'000};
   std::uint64_t fine_factor{4};      // with `fine`, so many times the moves
   std::uint64_t untilted_factor{2};  // where no piece may tilt, so many times `moves_per_piece`: tilts take as long
