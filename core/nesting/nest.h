@@ -5,7 +5,7 @@
 // in a given length; linear programs ([Li94], core/motion) remove what is left, compact the layout, and prove it; then
 // the strip is shortened (exploration.h).  If the cloth ends before all pieces lie on it, the rest of the budget is
 // spent on choosing those that do (filling/fill.h).  Finally, pieces are rotated by small angles (finish.h).  What is
-// new here: the field of a whole strip, added up from rasterised Minkowski sums (local_search/field.h), and the
+// new here: the field of a whole strip, added up from rasterised Minkowski sums (fields/field.h), and the
 // compaction after every success.
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) Every piece of the input is in the answer, placed or, when

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,8 +26,8 @@ struct Descended {
 template <class Loss>
 [[nodiscard]] Descended descend(const Loss& loss, Position from, const layout::RealBox& room, double step, double limit,
                                 layout::Dice& dice) {
-  constexpr double kLonger = 1.1;
-  constexpr double kShorter = 0.5;
+  constexpr double kLonger = 1.3;
+  constexpr double kShorter = 0.35;
   enum Way : std::size_t { kAlongX, kAlongY, kRising, kFalling, kWays };
   const auto inside = [&room](Position at) {
     return Position{std::max(room.low_x, std::min(at.x, room.high_x)),
@@ -37,23 +38,24 @@ template <class Loss>
   double step_x = step;
   double step_y = step;
   std::size_t way = dice.below(kWays);
+  std::array<double, kWays> signs{-1, -1, -1, -1};  // of each way, the one that has been better before
   while (best.loss > 0 && (step_x >= limit || step_y >= limit)) {
     const Position by{way == kAlongY ? 0 : step_x, way == kAlongX ? 0 : way == kFalling ? -step_y : step_y};
-    const Position centre = best.at;
-    bool better = false;
-    for (const double sign : {-1.0, 1.0}) {
-      const Position next = inside({centre.x + sign * by.x, centre.y + sign * by.y});
-      if (next.x == centre.x && next.y == centre.y) continue;
+    const auto improve = [&](double sign) {
+      const Position next = inside({best.at.x + sign * by.x, best.at.y + sign * by.y});
+      if (next.x == best.at.x && next.y == best.at.y) return false;
       const double value = loss(next.x, next.y, best.loss);
-      if (value >= best.loss) continue;
+      if (value >= best.loss) return false;
       best = {next, value};
-      better = true;
-    }
+      signs[way] = sign;
+      return true;
+    };
+    const bool better = improve(signs[way]) || improve(-signs[way]);
     const double factor = better ? kLonger : kShorter;
     const double both = way == kRising || way == kFalling ? std::sqrt(factor) : factor;
     if (way != kAlongY) step_x *= both;
     if (way != kAlongX) step_y *= both;
-    if (!better) way = dice.below(kWays);
+    if (!better) way = (way + 1 + dice.below(kWays - 1)) % kWays;  // another one
   }
   return best;
 }

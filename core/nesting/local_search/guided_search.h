@@ -25,7 +25,8 @@ struct Persistence {
 
 class GuidedSearch {
  public:
-  // `map_bytes`: memory for the sampled maps.  REQUIRES: the set outlives the search.
+  // `map_bytes`: memory for the sampled maps; an eighth of it in addition is for fields.  REQUIRES: the set outlives
+  // the search.
   GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes, const SearchTuning& tuning);
 
   // The layout of least loss that was found, and its loss: 0 when nothing overlaps by more than the tolerance.

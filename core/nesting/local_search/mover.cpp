@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "core/nesting/local_search/descent.h"
@@ -26,17 +25,16 @@ layout::RealBox Mover::room_about(const layout::Layout& layout, std::size_t piec
 }
 
 Mover::Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses, layout::Dice& dice,
-             const SearchTuning& tuning)
+             const SearchTuning& tuning, std::size_t field_bytes)
     : set_{&set},
       losses_{&losses},
       dice_{&dice},
       tuning_{tuning},
       pixel_{maps.scale().pixel},
-      field_{set, maps},
+      fields_{set, maps, field_bytes},
+      strip_{set, maps},
       neighbourhood_{set, maps, losses},
-      all_(set.size()) {
-  std::iota(all_.begin(), all_.end(), 0U);
-}
+      weights_(set.size()) {}
 
 void Mover::move(layout::Layout& layout, std::size_t piece) {
   neighbourhood_.take(layout);
@@ -58,14 +56,16 @@ void Mover::move(layout::Layout& layout, std::size_t piece) {
 
 void Mover::collect(const layout::Layout& layout, std::size_t piece) {
   candidates_.clear();
+  for (std::size_t other = 0; other < weights_.size(); ++other) {
+    weights_[other] = losses_->weight(piece, other) * losses_->importance(piece, other);
+  }
   const std::size_t rows = tuning_.best_places * tuning_.rows_per_place;
   const double stretch = tuning_.stretch * set_->across();
   const double reach = layout.length <= stretch ? std::numeric_limits<double>::infinity() : stretch / 2;
   for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
-    if (looks_at(layout, piece, turn) &&
-        field_.compute(layout, piece, turn, all_, *losses_, FieldWeights::kGuided, reach)) {
-      field_.append_lowest(rows, *dice_, candidates_);
-    }
+    if (!looks_at(layout, piece, turn)) continue;
+    fields::Field& field = fields_.of(piece, turn);
+    if (field.compute(layout, piece, turn, weights_, reach)) field.append_lowest(rows, *dice_, candidates_);
   }
 }
 
@@ -91,16 +91,18 @@ void Mover::pick() {
   }
 }
 
-Candidate Mover::stay(const layout::Layout& layout, std::size_t piece) {
+fields::Candidate Mover::stay(const layout::Layout& layout, std::size_t piece) {
   const double step = tuning_.stay_step * pixel_;
   return exact(layout, piece, layout.places[piece], 3 * step, step, tuning_.fine_limit);
 }
 
-Candidate Mover::refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate, double best) {
+fields::Candidate Mover::refined(const layout::Layout& layout, std::size_t piece, const Candidate& candidate,
+                                 double best) {
   const layout::Place& from = candidate.place;
   const double reach = 3 * pixel_;
   const layout::RealBox room = around(from, reach, room_about(layout, piece, from));
   neighbourhood_.gather(layout, piece, from, reach);
+  neighbourhood_.order_roughly(from);
   const auto rough_loss = [this](double x, double y, double bound) { return neighbourhood_.rough_loss(x, y, bound); };
   const Descended rough = descend(rough_loss, {from.x, from.y}, room, tuning_.rough_step * pixel_,
                                   std::min(tuning_.rough_limit, tuning_.fine_step * pixel_), *dice_);
@@ -109,13 +111,13 @@ Candidate Mover::refined(const layout::Layout& layout, std::size_t piece, const 
   return exact(layout, piece, {rough.at.x, rough.at.y, from.turn}, 3 * step, step, tuning_.fine_limit);
 }
 
-Candidate Mover::finished(const layout::Layout& layout, std::size_t piece, const Candidate& candidate) {
+fields::Candidate Mover::finished(const layout::Layout& layout, std::size_t piece, const Candidate& candidate) {
   constexpr double kReach = 10;  // steps
   return exact(layout, piece, candidate.place, kReach * tuning_.last_step, tuning_.last_step, tuning_.last_limit);
 }
 
-Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from, double reach,
-                       double step, double limit) {
+fields::Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from, double reach,
+                               double step, double limit) {
   // Losses are exact within the reach only, so the descent stays there.
   const layout::RealBox room = around(from, reach, room_about(layout, piece, from));
   neighbourhood_.gather(layout, piece, from, reach);
@@ -126,11 +128,13 @@ Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const la
 }
 
 bool Mover::insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others) {
+  std::fill(weights_.begin(), weights_.end(), 0.0F);
+  for (const std::uint32_t other : others) weights_[other] = 1;
   std::optional<layout::Place> best;
   double leftmost = std::numeric_limits<double>::max();
   for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
-    if (!field_.compute(layout, piece, turn, others, *losses_, FieldWeights::kEqual)) continue;
-    const auto place = field_.leftmost_free();
+    if (!strip_.compute(layout, piece, turn, weights_)) continue;
+    const auto place = strip_.leftmost_free();
     if (!place) continue;
     const double right = place->x + set_->kind(piece).turned[turn].box.high_x;
     if (right >= leftmost) continue;

@@ -7,16 +7,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/nesting/local_search/field.h"
+#include "core/nesting/fields/kept_fields.h"
 #include "core/nesting/local_search/neighbourhood.h"
 
 namespace selvage::nesting::local_search {
 
 class Mover {
  public:
-  // REQUIRES: all of them outlive the mover.
+  // `field_bytes`: memory for the fields that are kept.  REQUIRES: all others outlive the mover.
   Mover(const layout::PieceSet& set, depth::DepthMaps& maps, Losses& losses, layout::Dice& dice,
-        const SearchTuning& tuning);
+        const SearchTuning& tuning, std::size_t field_bytes);
 
   // Moves the piece and measures its losses anew.
   void move(layout::Layout& layout, std::size_t piece);
@@ -25,6 +25,8 @@ class Mover {
   [[nodiscard]] bool insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others);
 
  private:
+  using Candidate = fields::Candidate;
+
   // The positions that the piece may take from there without changing to another repeat of the cloth.
   [[nodiscard]] layout::RealBox room_about(const layout::Layout& layout, std::size_t piece,
                                            const layout::Place& place) const;
@@ -46,9 +48,10 @@ class Mover {
   layout::Dice* dice_;
   SearchTuning tuning_;
   double pixel_;
-  Field field_;
+  fields::KeptFields fields_;
+  fields::Field strip_;  // of a piece that is inserted
   Neighbourhood neighbourhood_;
-  std::vector<std::uint32_t> all_;
+  std::vector<float> weights_;  // by piece, what an overlap with it counts
   std::vector<Candidate> candidates_, picked_;
 };
 

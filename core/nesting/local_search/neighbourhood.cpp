@@ -34,6 +34,16 @@ void Neighbourhood::gather(const layout::Layout& layout, std::size_t piece, cons
   }
 }
 
+void Neighbourhood::order_roughly(const layout::Place& place) {
+  for (Near& near : near_) {
+    const depth::MapFrame& frame = near.view.frame;
+    const auto x = static_cast<float>(place.x - near.x);
+    const auto y = static_cast<float>(place.y - near.y);
+    near.there = near.weight * losses_->aimed(near.view.map->rough_depth(frame.map_x(x, y), frame.map_y(x, y)));
+  }
+  put_large_losses_first();
+}
+
 // Within the reach no position is farther from the place than the reach's diagonal.  So the nearest edge of any of them
 // is among those whose distance from the place exceeds the least one by at most two diagonals.
 void Neighbourhood::keep_edges(const layout::Place& place, double reach) {
@@ -55,9 +65,15 @@ void Neighbourhood::keep_edges(const layout::Place& place, double reach) {
     if (left == kept_.size()) kept_.emplace_back();
     kept_[left].assign_near(map.boundary(), squared_, limit);
     near.kept = left;
+    near.there = near.weight * losses_->aimed((nearness.inside ? distance : -distance) + map.clearance());
     near_[left++] = near;
   }
   near_.resize(left);
+  put_large_losses_first();
+}
+
+void Neighbourhood::put_large_losses_first() {
+  std::sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) { return a.there > b.there; });
 }
 
 float Neighbourhood::depth(const Near& near, float x, float y) const {

@@ -27,7 +27,10 @@ class Neighbourhood {
   // Finds the pieces that the piece can touch at positions within `reach` of the place, on either axis.
   // REQUIRES: the layout has been taken in, and no other piece has moved since.
   void gather(const layout::Layout& layout, std::size_t piece, const layout::Place& place, double reach);
-  // Keeps only the edges that matter within `reach` of the place, and only the pieces that have such edges.
+  // Puts the pieces in order of their losses at the place, going by the sampled maps: the largest first.
+  void order_roughly(const layout::Place& place);
+  // Keeps only the edges that matter within `reach` of the place, and only the pieces that have such edges, in order of
+  // their losses there.
   void keep_edges(const layout::Place& place, double reach);
 
   // The loss at a position, guided by the weights; may end early with a value of at least `bound`.
@@ -40,10 +43,13 @@ class Neighbourhood {
     depth::MapView view;
     double x{}, y{};  // position of the other piece
     float weight{};
+    float there{};             // its loss at the place by which the pieces are ordered
     std::size_t kept{};        // index of its kept edges
     float from_x{}, from_y{};  // in the map's frame: where they were kept,
     bool from_inside{};        // and whether that was inside
   };
+  // A loss that exceeds its bound is then known after few pieces.
+  void put_large_losses_first();
   [[nodiscard]] float depth(const Near& near, float x, float y) const;
 
   const layout::PieceSet* set_;

@@ -1,12 +1,15 @@
-// Tests of core/nesting/local_search: a field is the sum of the pairs' losses at every position, however the maps are
-// turned, and losses follow the moves.
-#include "core/nesting/local_search/field.h"
+// Tests of core/nesting/fields and local_search: a field is the sum of the pairs' losses at every position, however the
+// maps are turned and whatever it has held before, and losses follow the moves.
+#include "core/nesting/fields/field.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
+#include "core/nesting/fields/kept_fields.h"
 #include "core/nesting/local_search/guided_search.h"
 #include "core/nesting/local_search/neighbourhood.h"
 #include "tests/core/nesting/unplaced_pieces.h"
@@ -14,6 +17,8 @@
 namespace selvage::nesting::local_search {
 namespace {
 
+using fields::Candidate;
+using fields::Field;
 using layout::Layout;
 using test::kWidth;
 using test::Random;
@@ -48,21 +53,28 @@ struct Scattered {
   SearchTuning tuning;
   Losses losses;
   Layout layout;
-  std::vector<std::uint32_t> all{0, 1, 2, 3, 4, 5};
+  std::vector<float> weights = std::vector<float>(6, 1);
 };
+
+std::vector<Candidate> candidates_of(const Field& field) {
+  layout::Dice dice{1};
+  std::vector<Candidate> candidates;
+  field.append_lowest(1000, dice, candidates);
+  return candidates;
+}
 
 TEST(Field, ItsLowestPlacesHaveTheReportedLosses) {
   Random random{4};
   for (int trial = 0; trial < 20; ++trial) {
     Scattered scattered{random};
-    layout::Dice dice{1};
     Field field{scattered.set, scattered.maps};
     Neighbourhood neighbourhood{scattered.set, scattered.maps, scattered.losses};
     neighbourhood.take(scattered.layout);
     for (std::uint32_t turn = 0; turn < scattered.set.kind(0).turned.size(); ++turn) {
-      if (!field.compute(scattered.layout, 0, turn, scattered.all, scattered.losses, FieldWeights::kGuided)) continue;
-      std::vector<Candidate> candidates;
-      field.append_lowest(1000, dice, candidates);
+      std::vector<float> weights(6);
+      for (std::size_t other = 0; other < 6; ++other) weights[other] = scattered.losses.importance(0, other);
+      if (!field.compute(scattered.layout, 0, turn, weights)) continue;
+      const std::vector<Candidate> candidates = candidates_of(field);
       ASSERT_FALSE(candidates.empty());
       for (const Candidate& candidate : candidates) {
         neighbourhood.gather(scattered.layout, 0, candidate.place, 1);
@@ -80,16 +92,12 @@ TEST(Field, HasNoPlacesBeyondItsReach) {
   constexpr double kReach = 100;
   for (int trial = 0; trial < 20; ++trial) {
     Scattered scattered{random};
-    layout::Dice dice{1};
     Field field{scattered.set, scattered.maps};
     for (std::uint32_t turn = 0; turn < scattered.set.kind(0).turned.size(); ++turn) {
       const layout::RealBox fit = inner_fit(scattered.set, scattered.layout, 0, turn);
       const double x = std::clamp(scattered.layout.places[0].x, fit.low_x, fit.high_x);
-      if (!field.compute(scattered.layout, 0, turn, scattered.all, scattered.losses, FieldWeights::kGuided, kReach)) {
-        continue;
-      }
-      std::vector<Candidate> candidates;
-      field.append_lowest(1000, dice, candidates);
+      if (!field.compute(scattered.layout, 0, turn, scattered.weights, kReach)) continue;
+      const std::vector<Candidate> candidates = candidates_of(field);
       ASSERT_FALSE(candidates.empty());
       for (const Candidate& candidate : candidates) {
         EXPECT_LE(std::abs(candidate.place.x - x), kReach + 1e-9) << "trial " << trial;
@@ -98,12 +106,111 @@ TEST(Field, HasNoPlacesBeyondItsReach) {
   }
 }
 
+// Another layout, and other weights: some pieces move, and some stay where they are.
+void change(Scattered& scattered, Random& random) {
+  for (std::size_t i = 1; i < scattered.set.size(); ++i) {
+    if (random.below(2) == 0) {
+      scattered.layout.places[i].turn = static_cast<std::uint32_t>(random.below(scattered.set.kind(i).turned.size()));
+      centre_at(scattered.set, scattered.layout, i, static_cast<double>(random.below(1200)),
+                static_cast<double>(random.below(1000)));
+    }
+    if (random.below(3) == 0) scattered.weights[i] = static_cast<float>(random.below(300)) / 100;
+  }
+}
+
+TEST(Field, IsTheSameWhenOnlyChangesAreAdded) {
+  Random random{7};
+  for (int trial = 0; trial < 20; ++trial) {
+    Scattered scattered{random};
+    Field kept{scattered.set, scattered.maps};
+    for (int step = 0; step < 20; ++step) {
+      Field anew{scattered.set, scattered.maps};
+      const bool fits = kept.compute(scattered.layout, 0, 0, scattered.weights);
+      ASSERT_EQ(fits, anew.compute(scattered.layout, 0, 0, scattered.weights));
+      if (!fits) break;
+      const std::vector<Candidate> ours = candidates_of(kept);
+      const std::vector<Candidate> theirs = candidates_of(anew);
+      ASSERT_EQ(ours.size(), theirs.size());
+      for (std::size_t k = 0; k < ours.size(); ++k) {
+        // Weights are rounded to units, of which each sample counts up to 255.
+        EXPECT_NEAR(ours[k].loss, theirs[k].loss, 0.05 + 1e-3 * static_cast<double>(theirs[k].loss)) << "step " << step;
+      }
+      change(scattered, random);
+    }
+  }
+}
+
+TEST(Field, ChangesThatAreTakenBackLeaveNothing) {
+  Random random{8};
+  for (int trial = 0; trial < 20; ++trial) {
+    Scattered scattered{random};
+    const Layout first = scattered.layout;
+    Field field{scattered.set, scattered.maps};
+    if (!field.compute(first, 0, 0, scattered.weights)) continue;
+    const std::vector<Candidate> before = candidates_of(field);
+    for (int step = 0; step < 50; ++step) {
+      change(scattered, random);
+      ASSERT_TRUE(field.compute(scattered.layout, 0, 0, scattered.weights));
+    }
+    ASSERT_TRUE(field.compute(first, 0, 0, std::vector<float>(6, 1)));
+    const std::vector<Candidate> after = candidates_of(field);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      EXPECT_EQ(before[k].loss, after[k].loss);
+      EXPECT_EQ(before[k].place.x, after[k].place.x);
+      EXPECT_EQ(before[k].place.y, after[k].place.y);
+    }
+  }
+}
+
+TEST(Field, NoWeightIsSoLargeThatOthersCountNothing) {
+  Random random{9};
+  int rows = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Scattered scattered{random};
+    scattered.layout.length = 330;  // so short that a piece in its middle leaves whole rows without a free place
+    centre_at(scattered.set, scattered.layout, 2, 165, 500);
+    const std::vector<float> equal{0, 0, 1, 0, 0, 0};
+    const std::vector<float> unequal{0, 1e20F, 1, 0, 0, 0};
+    Field field{scattered.set, scattered.maps};
+    if (!field.compute(scattered.layout, 0, 0, equal)) continue;
+    std::map<double, float> alone;  // losses by y
+    for (const Candidate& candidate : candidates_of(field)) alone[candidate.place.y] = candidate.loss;
+    ASSERT_TRUE(field.compute(scattered.layout, 0, 0, unequal));
+    for (const Candidate& candidate : candidates_of(field)) {
+      if (alone.at(candidate.place.y) <= 0) continue;
+      EXPECT_GT(candidate.loss, 0);
+      ++rows;
+    }
+    ASSERT_TRUE(field.compute(scattered.layout, 0, 0, equal));
+    for (const Candidate& candidate : candidates_of(field)) {
+      EXPECT_NEAR(candidate.loss, alone.at(candidate.place.y), 1e-2) << "after a large weight";
+    }
+  }
+  EXPECT_GT(rows, 100);
+}
+
+TEST(KeptFields, AreAsManyAsMemoryAllows) {
+  Random random{10};
+  Scattered scattered{random};
+  fields::KeptFields many{scattered.set, scattered.maps, 1 << 20};
+  fields::Field& first = many.of(0, 0);
+  (void)first.compute(scattered.layout, 0, 0, scattered.weights);
+  EXPECT_NE(&many.of(0, 1), &first);
+  EXPECT_NE(&many.of(1, 0), &first);
+  EXPECT_EQ(&many.of(0, 0), &first);
+  fields::KeptFields none{scattered.set, scattered.maps, 0};
+  fields::Field& shared = none.of(0, 0);
+  EXPECT_EQ(&none.of(1, 0), &shared);
+  EXPECT_EQ(&none.of(0, 0), &shared);
+}
+
 TEST(Losses, FollowEveryMove) {
   Random random{5};
   for (int trial = 0; trial < 10; ++trial) {
     Scattered scattered{random};
     layout::Dice dice{2};
-    Mover mover{scattered.set, scattered.maps, scattered.losses, dice, scattered.tuning};
+    Mover mover{scattered.set, scattered.maps, scattered.losses, dice, scattered.tuning, 1 << 20};
     for (std::size_t piece = 0; piece < scattered.set.size(); ++piece) {
       const double before = scattered.losses.total();
       mover.move(scattered.layout, piece);
