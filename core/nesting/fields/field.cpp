@@ -54,19 +54,18 @@ bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32
                     double reach) {
   const layout::RealBox room = room_within(layout, piece, turn, reach);
   if (room.high_x < room.low_x || room.high_y < room.low_y) return false;
-  const bool kept = !counted_.empty() && piece == piece_ && turn == turn_ && same(room, room_);
+  bool kept = !counted_.empty() && piece == piece_ && turn == turn_ && same(room, room_);
   piece_ = piece;
   turn_ = turn;
   room_ = room;
   if (!kept) clear();
   std::vector<Change> changes = find_changes(layout, weights);
   if (kept && !unit_suits()) {
+    kept = false;
     clear();
     changes = find_changes(layout, weights);
-    choose_unit();
-  } else if (!kept) {
-    choose_unit();
   }
+  if (!kept) choose_unit();
   add(changes);
   if (set_->kind(piece).matched) {
     leave_out_unmatched();
