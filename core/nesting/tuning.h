@@ -37,7 +37,7 @@ struct NestTuning {
   double searched{0.9};            // part of a time limit that the search has when small rotations may follow it
   int separation_rounds{12};       // when repair cannot remove what the search has left
   std::size_t most_pieces{2'000};  // larger sets are nested in batches
-  // Of the sampled maps of a search, and of all searches that run at the same time.
+  // Of the sampled maps of a search, and of all searches that run at the same time; fields take up to an eighth more.
   std::size_t map_bytes{std::size_t{192} << 20}, all_map_bytes{std::size_t{768} << 20};
   local_search::SearchTuning search{};
   filling::FillTuning fill{};

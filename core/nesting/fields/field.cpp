@@ -10,9 +10,9 @@ namespace {
 
 constexpr float kRuledOut = std::numeric_limits<float>::max();  // of cells without an allowed position
 constexpr double kWholeNumbers = 1 << 24;                       // up to which a float holds every one
-constexpr double kRoomToGrow = 4;                               // of the weights, until a larger unit is needed
-constexpr double kTooCoarse = 64;                               // a unit that leaves more room than this
-constexpr double kSteps = 0.4;                                  // of the middle of a room, in reaches
+constexpr double kRoomToGrow = 4;                               // weights may grow so often until the unit is too small
+constexpr double kTooCoarse = 64;                               // a unit that would let them grow so often is too large
+constexpr double kSteps = 0.4;                                  // from one middle of a room to the next, in reaches
 constexpr float kMostOfSample = 255;
 
 // std::lround without a call.

@@ -28,7 +28,7 @@ double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
 namespace {
 
 constexpr double kFarAway = 1e9;          // beyond the end of any layout; model units
-constexpr std::size_t kPartOfFields = 8;  // fields may take this part of the memory for maps, in addition
+constexpr std::size_t kMapsToFields = 8;  // the memory for maps, divided by that for fields
 
 }  // namespace
 
@@ -41,7 +41,7 @@ GuidedSearch::GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std:
             {static_cast<float>(pixel_of(set, tuning.pixels_per_side)), static_cast<float>(tuning.charge)},
             map_bytes},
       losses_{set, maps_, tuning},
-      mover_{set, maps_, losses_, dice_, tuning, map_bytes / kPartOfFields} {}
+      mover_{set, maps_, losses_, dice_, tuning, map_bytes / kMapsToFields} {}
 
 GuidedSearch::Outcome GuidedSearch::separate(layout::Layout layout, Persistence persistence,
                                              const std::function<bool()>& over) {
