@@ -71,6 +71,40 @@ test("a daemon is killed and restarted with its store: the page shows it, retrie
   rmSync(folder, { recursive: true });
 });
 
+// From now on, new connections of the page keep back the answer to its first marker.list until the test delivers it.
+const keepBackTheList = (page) =>
+  page.ask(`{
+    const Socket = WebSocket;
+    globalThis.WebSocket = class extends Socket {
+      set onmessage(receive) {
+        super.onmessage = (event) => {
+          if (globalThis.deliverTheList || !/"markers":.*"markerId":/.test(event.data)) return receive(event);
+          globalThis.deliverTheList = () => receive(event);
+        };
+      }
+    };
+  }`);
+
+test("a change that is reported while the page reads the marker again is not lost", async () => {
+  const folder = mkdtempSync(join(tmpdir(), "selvage-store-"));
+  const more = ["--store", join(folder, "store")];
+  const first = await startDaemon({ more });
+  const page = await visit(here.browser, first.port);
+  const { markerId } = await shown(page, first.port);
+  await keepBackTheList(page);
+  await first.stop("SIGKILL");
+  const second = await startDaemon({ port: first.port, more });
+  await page.until("!!globalThis.deliverTheList", "the list of markers");
+  await call(second.port, "motion.compact", { markerId });
+  await atRevision(page, 2);
+  await page.ask("void deliverTheList()");
+  await page.until(`document.querySelector("#toast").textContent.includes("Connected again")`);
+  assert.equal(await revision(page), 2);
+  assert.equal(await page.text("#length"), "2,452.2 mm");
+  await second.stop();
+  rmSync(folder, { recursive: true });
+});
+
 test("a daemon that is restarted without the marker gets it from the page", async () => {
   const first = await startDaemon();
   const page = await visit(here.browser, first.port);

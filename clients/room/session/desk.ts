@@ -6,6 +6,8 @@ import type { Pose } from "../marker/pose";
 import type { Link } from "./link";
 import { hasCode } from "./messages";
 
+const MOST_READINGS = 10; // of a marker that changes faster than it can be read
+
 /** The figures of the marker's current revision. */
 export interface Figures {
   revision: number;
@@ -33,6 +35,8 @@ export class Desk {
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
   private listening: Client | undefined;
+  private documentOf = ""; // the marker whose document has been read
+  private latestReported = 0; // the latest revision that an answer or a notification reported for this marker
   private refreshing: Promise<void> = Promise.resolve(); // a change that requires reading the whole document again
   private changesInProgress = 0; // number of calls of this page that change the marker
   // The number of revisions that a gesture made, by the last of them: one undo takes back all of them.
@@ -61,6 +65,8 @@ export class Desk {
     this.listen(client);
     if (this.markerId && this.markerId !== markerId) void client.call("marker.unwatch", { markerId: this.markerId }).catch(() => {});
     this.markerId = markerId;
+    this.documentOf = "";
+    this.latestReported = 0;
     this.draggedByOthers.value = [];
     this.undoSteps.clear();
     this.redoSteps.clear();
@@ -70,15 +76,23 @@ export class Desk {
     this.marker.announce();
   }
 
+  // Reads the document and its figures. A change that is reported in the meantime may be missing from what was read, and the two
+  // answers may be of different revisions; both are read again then.
   private async load(client: Client): Promise<void> {
     const { markerId } = this;
-    const [listed, got] = await Promise.all([client.call("marker.list", {}), client.call("marker.get", { markerId })]);
-    if (markerId !== this.markerId) return;
-    const entry = listed.markers.find((marker) => marker.markerId === markerId);
-    const { valid } = this.figures.value;
-    const figures = { revision: got.revision, length: entry?.length ?? 0, utilisation: entry?.utilisation ?? 0, valid };
-    this.figures.value = entry?.revision === got.revision ? figures : { ...figures, revision: got.revision };
-    this.marker.value = new Marker(got.marker as unknown as MarkerDocument);
+    for (let readings = 1; ; ++readings) {
+      const [listed, got] = await Promise.all([client.call("marker.list", {}), client.call("marker.get", { markerId })]);
+      if (markerId !== this.markerId) return;
+      const { revision } = got;
+      const entry = listed.markers.find((marker) => marker.markerId === markerId);
+      const old = revision < this.latestReported || (entry && entry.revision !== revision);
+      if (old && readings < MOST_READINGS) continue;
+      const { valid } = this.figures.value;
+      this.figures.value = { revision, length: entry?.length ?? 0, utilisation: entry?.utilisation ?? 0, valid };
+      this.documentOf = markerId;
+      this.marker.value = new Marker(got.marker as unknown as MarkerDocument);
+      break;
+    }
     void client
       .call("marker.check", { markerId })
       .then((check) => {
@@ -92,6 +106,7 @@ export class Desk {
     const client = await this.link.ready();
     this.listen(client);
     const kept = this.marker.value;
+    this.latestReported = 0; // after a restart, the daemon may have an older revision
     this.draggedByOthers.value = [];
     try {
       await client.call("marker.watch", { markerId: this.markerId });
@@ -141,7 +156,8 @@ export class Desk {
   absorb(change: Change, by: string): void {
     const marker = this.marker.value;
     const { revision } = this.figures.value;
-    if (!marker || change.revision <= revision) return;
+    this.latestReported = Math.max(this.latestReported, change.revision);
+    if (!marker || this.documentOf !== this.markerId || change.revision <= revision) return;
     const before = new Map<string, Pose>();
     for (const { id } of change.placements) {
       const piece = marker.byId.get(id);
