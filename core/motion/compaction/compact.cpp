@@ -17,21 +17,6 @@ scene::StopReason reason_of(step::StepEnd end) {
   return end == step::StepEnd::kSolverFailed ? scene::StopReason::kSolverFailed : scene::StopReason::kConverged;
 }
 
-// The trust radius of the first round, a fraction of the width: that of the settings, halved while more pairs would be
-// near than the tuning allows.  Where pieces are tiny, the radius otherwise reaches hundreds of others.
-double first_trust(const scene::Scene& scene, const CompactionSettings& settings) {
-  const auto width = static_cast<double>(scene.marker.strip.width);
-  const double most = settings.tuning.most_near_pairs * static_cast<double>(scene.pieces.size());
-  const auto too_many = [&](double trust) {
-    double near = 0;
-    const Coord distance = std::llround(trust * width) + scene.pieces.widest_spacing();
-    return any_pair_within(scene.pieces, distance, [&](marker::PiecePair) { return ++near > most; });
-  };
-  double trust = settings.trust;
-  while (trust * width > 1 && too_many(trust)) trust /= 2;
-  return trust;
-}
-
 // True when every row that the last program pressed on is a contact that no other half-plane would lift.
 bool are_firm(const scene::Scene& scene, const std::vector<model::PairRow>& pressed, double tolerance) {
   return std::all_of(pressed.begin(), pressed.end(), [&](const model::PairRow& row) {
@@ -56,7 +41,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .solver = lp::solver::SolverChoice::kAutomatic,
               .solver_tolerance = 1e-4};
     case Accuracy::kStandard:
-      return {.rounds = 60,
+      return {.rounds = 400,
               .least_gain = 2e-5,
               .trust = 0.1,
               .gravity = 0.003,
@@ -73,6 +58,19 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
           .sweeps = true,
           .region = model::RegionRule::kGreedy,
           .solver = lp::solver::SolverChoice::kAutomatic};
+}
+
+double first_trust(const scene::Scene& scene, const CompactionSettings& settings) {
+  const auto width = static_cast<double>(scene.marker.strip.width);
+  const double most = settings.tuning.most_near_pairs * static_cast<double>(scene.pieces.size());
+  const auto too_many = [&](double trust) {
+    double near = 0;
+    const Coord distance = std::llround(trust * width) + scene.pieces.widest_spacing();
+    return any_pair_within(scene.pieces, distance, [&](marker::PiecePair) { return ++near > most; });
+  };
+  double trust = settings.trust;
+  while (trust * width > 1 && too_many(trust)) trust /= 2;
+  return trust;
 }
 
 Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,

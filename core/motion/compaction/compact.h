@@ -42,6 +42,10 @@ struct CompactionSettings {
 };
 [[nodiscard]] CompactionSettings compaction_settings(Accuracy accuracy);
 
+// The trust radius of the first round, a fraction of the width: that of the settings, halved while more pairs would be
+// near than the tuning allows.  Where pieces are tiny, the radius otherwise reaches hundreds of others.
+[[nodiscard]] double first_trust(const scene::Scene& scene, const CompactionSettings& settings);
+
 // The outcome of rounds towards a goal.
 struct Progress {
   scene::StopReason reason{};

@@ -1,8 +1,10 @@
 #include "core/motion/compaction/escape.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/marker/figures.h"
+#include "core/motion/closing/close_gaps.h"
 #include "core/motion/compaction/sweep.h"
 
 namespace selvage::motion::compaction {
@@ -74,6 +76,10 @@ bool nothing_moves(const scene::Scene& scene) {
 Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
                  const scene::Run& run) {
   const Escape escape{goal, settings, run};
+  if (settings.rounds > 0) {
+    const double near = first_trust(scene, settings) * static_cast<double>(scene.marker.strip.width);
+    closing::close_gaps(scene, std::llround(near), settings.tuning.many_loose, run);
+  }
   const std::vector<Vec> start = scene.pieces.positions();
   const Coord start_length = scene.pieces.length();
   Progress progress = improve(scene, goal, settings, run);

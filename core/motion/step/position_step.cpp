@@ -50,7 +50,7 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
   for (bool last = false; !last;) {
     if (run.stopped()) return ended(StepEnd::kStopped);
     const lp::LpSolution solution = model.solve();
-    last = ++step.programs >= tuning.programs;
+    last = ++step.programs >= tuning.programs || model.has_outgrown();
     if (solution.status == lp::LpStatus::kInfeasible && model.make_feasible()) continue;
     if (solution.status == lp::LpStatus::kStopped) return ended(StepEnd::kStopped);
     if (solution.status != lp::LpStatus::kOptimal) return ended(StepEnd::kSolverFailed);

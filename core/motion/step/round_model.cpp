@@ -63,6 +63,7 @@ RoundModel::RoundModel(const scene::Scene& scene, const Goal& goal, const StepSe
       length_{length_mode(scene, goal, settings, near_)} {
   extend_near();
   restart();
+  first_rows_ = rows_.size();
 }
 
 lp::LpSolution RoundModel::solve() const {
@@ -169,6 +170,12 @@ std::vector<marker::PiecePair> RoundModel::ahead_of(const Moves& moves,
 void RoundModel::tie(const std::vector<marker::PiecePair>& pairs) {
   for (const auto& [p, q] : pairs) active_.join(p, q);
   grow({});
+}
+
+bool RoundModel::has_outgrown() const {
+  const StepTuning& tuning = settings_.tuning;
+  const auto most = tuning.most_growth * static_cast<double>(first_rows_) + static_cast<double>(tuning.spare_rows);
+  return !goal_.fixes_length() && static_cast<double>(rows_.size()) > most;
 }
 
 std::size_t RoundModel::extend_near() {

@@ -51,6 +51,9 @@ class RoundModel {
   // position, which is valid now, stays.
   void tie(const std::vector<marker::PiecePair>& pairs);
 
+  // True when the program has so many more rows than the first one that it had better be the last.
+  [[nodiscard]] bool has_outgrown() const;
+
   // The pairs that it has rows for.
   [[nodiscard]] const PairSet& modelled() const { return modelled_; }
   [[nodiscard]] const std::vector<marker::PiecePair>& near_pairs() const { return near_.pairs(); }
@@ -76,6 +79,7 @@ class RoundModel {
   model::TightRows tight_{model::TightRows::kRestore};
   PairSet modelled_;
   std::vector<model::PairRow> rows_;
+  std::size_t first_rows_{};  // of the first program
   std::optional<model::PositionModel> model_;
   std::vector<std::pair<int, std::size_t>> row_of_;  // rows of the program, each with its index in rows_
 };

@@ -14,6 +14,11 @@ struct StepTuning {
   // From this program on, pieces that collide get the rows of all pieces that they would be near to after their moves.
   // Otherwise each program may make loose pieces collide with others, and the round never ends.
   int foresight_after{5};
+  // Where the marker is shortened, a program with more than this multiple of the first one's rows is the round's last:
+  // its moves are scaled down until they keep the rows that are left out.  Rows of pieces that are far apart make a
+  // factor dense, and a round of a loose marker could take minutes.
+  double most_growth{1.5};
+  std::size_t spare_rows{200};  // by which a program may grow in any case
   // Near means: within this fraction of the trust radius.
   double foresight{0.3};
   // The moves of the last program are halved up to this many times, until no two pieces collide.

@@ -57,6 +57,32 @@ TEST_P(PositionStepOfGarments, TheLastProgramOfARoundMovesThePieces) {
   }
 }
 
+// Rows of pairs that are far apart make a program's factor dense: it is the last of its round.
+TEST_P(PositionStepOfGarments, AProgramThatHasOutgrownTheFirstIsTheLastOfItsRound) {
+  const Marker marker = test::loosened(test::garment(GetParam()), 0.6);
+  SumCache sums;
+  const scene::Scene scene{marker, sums};
+  const auto rows_of = [&](const StepTuning& tuning) {
+    std::vector<int> rows;
+    scene::Run run{sums};
+    run.observer.on_program = [&](const lp::LinearProgram& program) { rows.push_back(program.rows()); };
+    const PositionStep step = position_step(scene, leftward_goal(scene, 0.003), {.trust = 0.05, .tuning = tuning}, run);
+    EXPECT_EQ(step.end, StepEnd::kMoved);
+    marker::PlacedPieces moved = scene.pieces;
+    moved.place(step.positions);
+    EXPECT_TRUE(conflicts(moved).empty());
+    return rows;
+  };
+  constexpr double kGrowth = 1.05;
+  const std::vector<int> unlimited = rows_of({.most_growth = 1e9});
+  // Right walls are rows that do not count: a piece has at most one.
+  const double most = kGrowth * unlimited.front() + static_cast<double>(marker.pieces.size());
+  ASSERT_GT(unlimited.back(), most);
+  const std::vector<int> limited = rows_of({.most_growth = kGrowth, .spare_rows = 0});
+  EXPECT_LT(limited.size(), unlimited.size());
+  for (std::size_t k = 0; k + 1 < limited.size(); ++k) EXPECT_LE(limited[k], most);
+}
+
 INSTANTIATE_TEST_SUITE_P(Garments, PositionStepOfGarments, ::testing::Values("jeans_02g", "simon_06g", "jeans_06g"),
                          test::garment_name);
 

@@ -1,0 +1,42 @@
+// How far several pieces can move to the left together, without their Minkowski sums: a lower bound.  The strip is cut
+// into slabs along its length, and in each of them a piece counts as a box.  Units: lattice units.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/marker/placed_pieces.h"
+
+namespace selvage::motion::closing {
+
+class Slabs {
+ public:
+  Slabs(const marker::PlacedPieces& pieces, Coord width);
+
+  // How far the moving pieces can move: never farther than they may, apart from the strip's end and cloth's rules.
+  // 0 or less when they cannot.  `box`: around them.
+  [[nodiscard]] Coord way_of(const std::vector<bool>& moving, const Box& box) const;
+  // Moves the pieces to the left.  REQUIRES: by no more than their way, so that the spans stay in order.
+  void move(const std::vector<bool>& moving, const Box& box, Coord by);
+
+ private:
+  static constexpr std::size_t kSlabs = 64;
+  // What a piece takes of a slab, from left to right.
+  struct Span {
+    Coord from{}, to{};
+    std::uint32_t piece{};
+    friend auto operator<=>(const Span&, const Span&) = default;
+  };
+
+  // The first and the last slab that a box reaches, with the distance that pieces keep.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> range(const Box& box) const;
+  void add(std::size_t slab, std::uint32_t piece, const geometry::PlacedPolygon& polygon);
+
+  Coord spacing_, height_;
+  std::array<std::vector<Span>, kSlabs> spans_;  // by their left ends
+};
+
+}  // namespace selvage::motion::closing
