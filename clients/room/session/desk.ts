@@ -76,8 +76,8 @@ export class Desk {
     this.marker.announce();
   }
 
-  // Reads the document and its figures. A change that is reported in the meantime may be missing from what was read, and the two
-  // answers may be of different revisions; both are read again then.
+  // Reads the document and its figures. Both are read again if the two answers are of different revisions, or if a newer revision
+  // was reported in the meantime.
   private async load(client: Client): Promise<void> {
     const { markerId } = this;
     for (let readings = 1; ; ++readings) {
@@ -85,8 +85,8 @@ export class Desk {
       if (markerId !== this.markerId) return;
       const { revision } = got;
       const entry = listed.markers.find((marker) => marker.markerId === markerId);
-      const old = revision < this.latestReported || (entry && entry.revision !== revision);
-      if (old && readings < MOST_READINGS) continue;
+      const outdated = revision < this.latestReported || (entry && entry.revision !== revision);
+      if (outdated && readings < MOST_READINGS) continue;
       const { valid } = this.figures.value;
       this.figures.value = { revision, length: entry?.length ?? 0, utilisation: entry?.utilisation ?? 0, valid };
       this.documentOf = markerId;

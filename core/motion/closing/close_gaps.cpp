@@ -15,7 +15,7 @@ namespace {
 
 using Body = std::vector<std::uint32_t>;  // its pieces, ascending
 
-// The bodies that nothing holds, each of which has a gap on its left.
+// The bodies that are not held.
 std::vector<Body> loose_bodies(const scene::Scene& scene, Coord near) {
   const std::size_t pieces = scene.pieces.size();
   boost::disjoint_sets_with_storage<> bodies{pieces};
@@ -50,22 +50,22 @@ Box box_of(const scene::Scene& scene, const Body& body) {
   return box;
 }
 
-// Moves the body to the left as far as the slabs allow.  True when it moved.
+// Moves the body to the left as far as the slabs show that it can, if cloth's rules allow that.  True when it moved.
 bool move_left(scene::Scene& scene, const Body& body, Slabs& slabs) {
   std::vector<bool> moving(scene.pieces.size());
   for (const std::uint32_t k : body) moving[k] = true;
   const Box box = box_of(scene, body);
-  const Coord way = std::min(slabs.way_of(moving, box), box.low.x - scene.marker.strip.room(0).low.x);
-  if (way <= 0 || !are_clear(scene.pieces, moving, {-way, 0})) return false;
+  const Coord by = std::min(slabs.free_distance(moving, box), box.low.x - scene.marker.strip.room(0).low.x);
+  if (by <= 0 || !are_clear(scene.pieces, moving, {-by, 0})) return false;
   const std::vector<Vec> before = scene.pieces.positions();
   std::vector<Vec> after = before;
-  for (const std::uint32_t k : body) after[k].x -= way;
+  for (const std::uint32_t k : body) after[k].x -= by;
   scene.pieces.place(std::move(after));
   if (!are_inside(scene.pieces, scene.marker.strip)) {
     scene.pieces.place(before);
     return false;
   }
-  slabs.move(moving, box, way);
+  slabs.move(moving, box, by);
   return true;
 }
 

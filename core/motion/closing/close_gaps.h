@@ -1,10 +1,10 @@
 // Closing gaps, before the first round of compaction.
 //
-// A round has rows for near pairs only.  Pieces that lie together, with nothing near on their left, such as the second
-// of two markers that lie one behind the other, would all move on top of the pieces before them: hundreds of far pairs
-// would collide and enter the program, whose factor becomes dense.  So such a body of pieces is first moved to the left
-// as a whole.  The way is found on slabs along the strip, in each of which a piece counts as a box, so a little of the
-// gap may stay: that is for the rounds.
+// A round's program has rows for near pairs only.  Suppose that a gap separates two groups of pieces, as when one
+// marker lies behind another.  No row then stops the right group: the solution moves it on top of the left one, and
+// hundreds of pairs that are far apart now have to enter the program, whose factor becomes dense.  So the right group,
+// called a body, first moves to the left as a whole.  A lower bound on the free distance is enough (slabs.h), because
+// the rounds close what is left of the gap.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,12 @@
 
 namespace selvage::motion::closing {
 
-// Bodies are the pieces that are connected by pairs that lie within `near` of each other, beyond their spacing, or by
-// ties; a body is held when one of its pieces is that near to the strip's left end, or fixed along it.  Moves every
-// body that is not held straight to the left, one after another, provided that they have `many` pieces or more
-// together. True when something moved.  The pieces stay valid.  When cancelled, it stops between two bodies. REQUIRES:
-// the scene's pieces are valid.
+// Pieces belong to one body when they are tied, or within the distance `near` of each other beyond their spacing,
+// directly or through others.  A body is held when one of its pieces is that near to the strip's left end, or fixed
+// along the strip.  Moves every other body straight to the left, one after another, if these have at least `many`
+// pieces in all.  Returns whether something moved.  The pieces stay valid.
+// When cancelled, it stops between two bodies.
+// REQUIRES: the scene's pieces are valid.
 bool close_gaps(scene::Scene& scene, Coord near, std::size_t many, const scene::Run& run);
 
 }  // namespace selvage::motion::closing

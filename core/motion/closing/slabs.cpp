@@ -15,20 +15,20 @@ Slabs::Slabs(const marker::PlacedPieces& pieces, Coord width)
   for (std::vector<Span>& spans : spans_) std::sort(spans.begin(), spans.end());
 }
 
-Coord Slabs::way_of(const std::vector<bool>& moving, const Box& box) const {
-  Coord way = std::numeric_limits<Coord>::max();
+Coord Slabs::free_distance(const std::vector<bool>& moving, const Box& box) const {
+  Coord least = std::numeric_limits<Coord>::max();
   const auto [first, last] = range(box);
   for (std::size_t slab = first; slab <= last; ++slab) {
     Coord end = -kLatticeLimit;  // of the other pieces so far
     for (const Span& span : spans_[slab]) {
       if (moving[span.piece]) {
-        way = std::min(way, span.from - end - spacing_);
+        least = std::min(least, span.from - end - spacing_);
       } else {
         end = std::max(end, span.to);
       }
     }
   }
-  return way;
+  return least;
 }
 
 void Slabs::move(const std::vector<bool>& moving, const Box& box, Coord by) {

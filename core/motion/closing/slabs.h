@@ -1,5 +1,6 @@
-// How far several pieces can move to the left together, without their Minkowski sums: a lower bound.  The strip is cut
-// into slabs along its length, and in each of them a piece counts as a box.  Units: lattice units.
+// A lower bound on how far several pieces can move to the left together, found without Minkowski sums.  Lines along the
+// strip divide it into slabs; in each slab, a piece counts as the box around what lies there of it.
+// Units: lattice units.
 #pragma once
 
 #include <array>
@@ -16,10 +17,11 @@ class Slabs {
  public:
   Slabs(const marker::PlacedPieces& pieces, Coord width);
 
-  // How far the moving pieces can move: never farther than they may, apart from the strip's end and cloth's rules.
-  // 0 or less when they cannot.  `box`: around them.
-  [[nodiscard]] Coord way_of(const std::vector<bool>& moving, const Box& box) const;
-  // Moves the pieces to the left.  REQUIRES: by no more than their way, so that the spans stay in order.
+  // The pieces for which `moving` is true can move at least this far before they come too near to another piece; 0 or
+  // less when that is not known.  The strip's end and cloth's rules are not considered.  `box`: around the pieces.
+  [[nodiscard]] Coord free_distance(const std::vector<bool>& moving, const Box& box) const;
+  // Moves the pieces to the left.
+  // REQUIRES: `by` is at most their free distance, so that the spans stay in order.
   void move(const std::vector<bool>& moving, const Box& box, Coord by);
 
  private:

@@ -19,7 +19,7 @@ struct CompactionTuning {
   double touching{1e-5};       // part of the width: pieces this close count as touching
   double loose_below{0.75};    // utilisation below which a marker counts as loose (escape.h)
   double worth_a_sweep{5e-5};  // part of the length: sweeps and rounds that gain less together are the last
-  std::size_t many_loose{64};  // gaps on the left of at least this many pieces are closed first (core/motion/closing)
+  std::size_t many_loose{64};  // gaps that at least this many pieces lie behind are closed first (core/motion/closing)
   int sweeps{200};             // single-piece sweeps at a time, at most
   std::size_t most_pieces_swept{5000};  // markers with more pieces are not swept, because it would take too long
   step::StepTuning step{};              // of each round

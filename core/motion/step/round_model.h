@@ -51,7 +51,7 @@ class RoundModel {
   // position, which is valid now, stays.
   void tie(const std::vector<marker::PiecePair>& pairs);
 
-  // True when the program has so many more rows than the first one that it had better be the last.
+  // True when the program has so many more rows than the first one that it has to be the round's last (StepTuning).
   [[nodiscard]] bool has_outgrown() const;
 
   // The pairs that it has rows for.

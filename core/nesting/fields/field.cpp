@@ -10,9 +10,9 @@ namespace {
 
 constexpr float kRuledOut = std::numeric_limits<float>::max();  // of cells without an allowed position
 constexpr double kWholeNumbers = 1 << 24;                       // up to which a float holds every one
-constexpr double kRoomToGrow = 4;                               // weights may grow so often until the unit is too small
-constexpr double kTooCoarse = 64;                               // a unit that would let them grow so often is too large
-constexpr double kSteps = 0.4;                                  // from one middle of a room to the next, in reaches
+constexpr double kReserve = 4;       // a new unit lets the sums of cells grow by at least this factor
+constexpr double kMostReserve = 64;  // a unit that lets them grow by more than this factor is replaced
+constexpr double kSteps = 0.4;       // from one middle of a room to the next, in reaches
 constexpr float kMostOfSample = 255;
 
 // std::lround without a call.
@@ -145,12 +145,12 @@ bool Field::unit_suits() const {
   const double most = most_in_a_cell();
   // Weights of less than a unit count as one.
   const double rounded = static_cast<double>(kMostOfSample * unit_) * static_cast<double>(counted_.size());
-  return most + rounded <= limit && most * kTooCoarse >= limit;
+  return most + rounded <= limit && most * kMostReserve >= limit;
 }
 
 void Field::choose_unit() {
   int exponent = 0;
-  (void)std::frexp(kRoomToGrow * most_in_a_cell() / kWholeNumbers, &exponent);
+  (void)std::frexp(kReserve * most_in_a_cell() / kWholeNumbers, &exponent);
   unit_ = std::ldexp(1.0F, exponent);
 }
 

@@ -57,7 +57,7 @@ TEST_P(PositionStepOfGarments, TheLastProgramOfARoundMovesThePieces) {
   }
 }
 
-// Rows of pairs that are far apart make a program's factor dense: it is the last of its round.
+// Rows of pairs that are far apart make a program's factor dense, so a round ends with the first program that has many.
 TEST_P(PositionStepOfGarments, AProgramThatHasOutgrownTheFirstIsTheLastOfItsRound) {
   const Marker marker = test::loosened(test::garment(GetParam()), 0.6);
   SumCache sums;
