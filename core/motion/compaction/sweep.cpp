@@ -24,7 +24,7 @@ double sweep(scene::Scene& scene, const scene::Run& run) {
   for (const std::uint32_t piece : sweep_order(scene.pieces)) {
     run.observer.on_stage(scene::Stage::kSolve);
     if (run.stopped()) break;
-    const piece::Bump bumped = piece::bump(scene, PieceId{piece}, -1, 0);
+    const piece::Bump bumped = piece::bump(scene, PieceId{piece}, -1, 0, run.stop);
     gain += bumped.gain;
     scene.shift(PieceId{piece}, bumped.at - scene.pieces.at(piece));
   }

@@ -110,7 +110,7 @@ class Dragger {
       scene_.shift(PieceId{piece_}, best - scene_.pieces.at(piece_));
       const Vec left = wanted_ - best;
       const Vec next =
-          piece::bump(scene_, PieceId{piece_}, static_cast<double>(left.x), static_cast<double>(left.y)).at;
+          piece::bump(scene_, PieceId{piece_}, static_cast<double>(left.x), static_cast<double>(left.y), run_.stop).at;
       if (!(distance(next, wanted_) < distance(best, wanted_)) || !free_at(next)) break;
       best = next;
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "core/marker/clearance.h"
@@ -59,8 +60,10 @@ struct Met {
 
 class Bumper {
  public:
-  Bumper(const scene::Scene& scene, std::uint32_t piece, double ux, double uy, const BumpTuning& tuning)
+  Bumper(const scene::Scene& scene, std::uint32_t piece, double ux, double uy, const std::stop_token& stop,
+         const BumpTuning& tuning)
       : scene_{scene},
+        stop_{stop},
         tuning_{tuning},
         piece_{piece},
         ux_{ux},
@@ -86,12 +89,15 @@ class Bumper {
   Bump run() {
     int step = 0;
     while (step < tuning_.steps && (advance(ux_, uy_) || advance_round_corners())) ++step;
-    const scene::StopReason reason =
-        step < tuning_.steps ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
-    return {reason, at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
+    return {reason_after(step), at_, gain(at_ - scene_.pieces.at(piece_)), touching()};
   }
 
  private:
+  [[nodiscard]] scene::StopReason reason_after(int steps) const {
+    if (stop_.stop_requested()) return scene::StopReason::kCancelled;
+    return steps < tuning_.steps ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
+  }
+
   [[nodiscard]] double gain(Vec by) const { return ux_ * static_cast<double>(by.x) + uy_ * static_cast<double>(by.y); }
 
   // At a corner the piece may pass a neighbour on either side; the cell chose the sides that obstruct the direct way
@@ -124,9 +130,9 @@ class Bumper {
   }
 
   // Builds the cell about the present position, slides in it and takes the part that is proved.  False if nothing is
-  // gained.
+  // gained, or when cancelled.
   bool advance(double towards_x, double towards_y) {
-    build_cell(towards_x, towards_y);
+    if (!build_cell(towards_x, towards_y)) return false;
     last_ = slide(cell_, ux_, uy_);
     if (ux_ * last_.to.x + uy_ * last_.to.y < tuning_.least_gain) return false;
     for (double part = 1; part > 1e-3; part /= 4) {
@@ -148,24 +154,32 @@ class Bumper {
     return false;
   }
 
-  void build_cell(double towards_x, double towards_y) {
+  // False when cancelled; then there is no cell.
+  bool build_cell(double towards_x, double towards_y) {
     cell_.clear();
     bounds_.clear();
+    last_.blocking.clear();
     find_neighbours();
-    for (const std::size_t k : neighbours_) add_sides(met_[k], towards_x, towards_y);
+    if (stop_.stop_requested()) return false;
+    for (const std::size_t k : neighbours_) {
+      if (stop_.stop_requested()) return false;
+      add_sides(met_[k], towards_x, towards_y);
+    }
     const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
     add_edge(1, 0, room(fit_.low.x, at_.x));
     add_edge(-1, 0, room(at_.x, fit_.high.x));
     add_edge(0, 1, room(fit_.low.y, at_.y));
     add_edge(0, -1, room(at_.y, fit_.high.y));
     for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
+    return true;
   }
-  // The pieces within reach; found again when the position or the reach has changed since.
+  // The pieces within reach; found again when the position or the reach has changed since.  Some of them when cancelled.
   void find_neighbours() {
     if (looked_from_ == std::pair{at_, reach_}) return;
     looked_from_ = {at_, reach_};
     neighbours_.clear();
     for (const Member& member : body_) {
+      if (stop_.stop_requested()) return;
       const Box own = scene_.pieces[member.piece].box.moved(at_ + member.offset).grown(std::llround(reach_) + spacing_);
       for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
         if (moves_[other] || scene_.pieces.may_share_cloth(member.piece, other)) continue;
@@ -175,13 +189,13 @@ class Bumper {
   }
   // Its place in met_.  Kept because every position needs it, and the cache of sums would be locked each time.
   std::size_t met(const Member& member, std::uint32_t other) {
-    for (std::size_t k = 0; k < met_.size(); ++k) {
-      if (met_[k].other == other && met_[k].member.piece == member.piece) return k;
+    const auto [known, is_new] = met_at_.try_emplace(std::uint64_t{member.piece} << 32 | other, met_.size());
+    if (is_new) {
+      met_.push_back({member, other, scene_.pieces.spacing({member.piece, other}),
+                      scene_.sums.obstacle(scene_.outline_facing(other, member.piece),
+                                           scene_.outline_facing(member.piece, other))});
     }
-    met_.push_back(
-        {member, other, scene_.pieces.spacing({member.piece, other}),
-         scene_.sums.obstacle(scene_.outline_facing(other, member.piece), scene_.outline_facing(member.piece, other))});
-    return met_.size() - 1;
+    return known->second;
   }
   void add_sides(const Met& met, double towards_x, double towards_y) {
     const Vec r = at_ + met.member.offset - scene_.pieces.at(met.other);
@@ -257,6 +271,7 @@ class Bumper {
   }
 
   const scene::Scene& scene_;
+  const std::stop_token& stop_;
   const BumpTuning& tuning_;
   std::uint32_t piece_;
   double ux_, uy_;
@@ -268,6 +283,7 @@ class Bumper {
   double first_reach_;
   double reach_;
   std::vector<Met> met_;
+  std::unordered_map<std::uint64_t, std::size_t> met_at_;  // by the numbers of the two pieces, the moving one first
   std::optional<std::pair<Vec, double>> looked_from_;  // the position and the reach that `neighbours_` is for
   std::vector<std::size_t> neighbours_;                // in met_
   std::vector<CellSide> cell_;
@@ -277,11 +293,12 @@ class Bumper {
 
 }  // namespace
 
-Bump bump(const scene::Scene& scene, PieceId piece, double dx, double dy, const BumpTuning& tuning) {
+Bump bump(const scene::Scene& scene, PieceId piece, double dx, double dy, const std::stop_token& stop,
+          const BumpTuning& tuning) {
   const double length = std::hypot(dx, dy);
   if (scene.fixed(piece.value) || !(length > 0))
     return {scene::StopReason::kConverged, scene.pieces.at(piece.value), 0, {}};
-  return Bumper{scene, piece.value, dx / length, dy / length, tuning}.run();
+  return Bumper{scene, piece.value, dx / length, dy / length, stop, tuning}.run();
 }
 
 Result<BumpedMarker> repair_and_bump(const Marker& start, PieceId piece, double dx, double dy, const scene::Run& run) {
@@ -297,7 +314,7 @@ Result<BumpedMarker> repair_and_bump(const Marker& start, const scene::LaidOut& 
   };
   return repair::repaired_and<BumpedMarker>(scene, repairing, [&](BumpedMarker& bumped) {
     run.observer.on_stage(scene::Stage::kSolve);
-    bumped.bump = bump(scene, piece, dx, dy);
+    bumped.bump = bump(scene, piece, dx, dy, run.stop);
     bumped.reason = bumped.bump.reason;
     scene.shift(piece, bumped.bump.at - scene.pieces.at(piece.value));
     run.observer.on_stage(scene::Stage::kOther);

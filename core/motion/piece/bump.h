@@ -3,6 +3,8 @@
 // half-planes.
 #pragma once
 
+#include <stop_token>
+
 #include "core/base/result.h"
 #include "core/motion/piece/tuning.h"
 #include "core/motion/repair/motion_result.h"
@@ -11,6 +13,7 @@ namespace selvage::motion::piece {
 
 struct Bump {
   scene::StopReason reason{};     // kWorkLimit: it passed so many corners that it may not have reached the end
+                                  // kCancelled: it stopped on its way
   Vec at;                         // where the piece ends up; proved valid
   double gain{};                  // the distance moved in the direction, lattice units; never negative
   std::vector<PieceId> touching;  // the pieces that stop it there
@@ -21,7 +24,8 @@ struct Bump {
 // the other.  The strip ends where the marker does, or where the cloth does when that has an end.  A marker mirrored
 // across the strip gives the mirrored answer to the lattice unit, unless the piece moves along the exact middle of the
 // strip and could pass a corner on either side.  REQUIRES: the scene's pieces are valid.
-[[nodiscard]] Bump bump(const scene::Scene& scene, PieceId piece, double dx, double dy, const BumpTuning& tuning = {});
+[[nodiscard]] Bump bump(const scene::Scene& scene, PieceId piece, double dx, double dy,
+                        const std::stop_token& stop = {}, const BumpTuning& tuning = {});
 
 struct BumpedMarker : repair::MotionResult {
   Bump bump;

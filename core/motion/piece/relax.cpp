@@ -18,8 +18,10 @@ namespace {
 // One piece in one tilt, among the others where they lie.
 class Relaxer {
  public:
-  Relaxer(const scene::Scene& scene, std::uint32_t index, Piece piece, const RelaxTuning& tuning)
+  Relaxer(const scene::Scene& scene, std::uint32_t index, Piece piece, const std::stop_token& stop,
+          const RelaxTuning& tuning)
       : scene_{scene},
+        stop_{stop},
         tuning_{tuning},
         index_{index},
         piece_{std::move(piece)},
@@ -40,7 +42,7 @@ class Relaxer {
     if (fit_.high.x < fit_.low.x || fit_.high.y < fit_.low.y) return best;
     double freedom = -1e300;
     for (int cell = 0; cell < tuning_.cells; ++cell) {
-      build_cell();
+      if (!build_cell()) break;
       const Square square = largest_square(cell_, reach_);
       const double farthest = std::max({std::abs(square.centre.x), std::abs(square.centre.y), square.half});
       const bool beyond = farthest > tuning_.nearly_all * reach_;  // the cell did not look far enough
@@ -62,10 +64,12 @@ class Relaxer {
   [[nodiscard]] geometry::PlacedPolygon placed() const { return {polygon_, box_, piece_.at}; }
   [[nodiscard]] geometry::PlacedPolygon placed_part() const { return {part_, box_, piece_.at}; }
 
-  void build_cell() {
+  // False when cancelled; then there is no cell.
+  bool build_cell() {
     cell_.clear();
     const Box near = box_.moved(piece_.at).grown(std::llround(2 * reach_) + scene_.pieces.widest_spacing());
     for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
+      if (stop_.stop_requested()) return false;
       if (other == index_ || scene_.pieces.may_share_cloth(index_, other)) continue;
       if (!near.overlaps(scene_.pieces.box(other))) continue;
       const geometry::PlacedPolygon still = scene_.pieces[other];
@@ -85,6 +89,7 @@ class Relaxer {
     cell_.push_back({-1, 0, static_cast<double>(fit_.high.x - piece_.at.x)});
     cell_.push_back({0, 1, static_cast<double>(piece_.at.y - fit_.low.y)});
     cell_.push_back({0, -1, static_cast<double>(fit_.high.y - piece_.at.y)});
+    return true;
   }
 
   // The proof, in integers.
@@ -95,6 +100,7 @@ class Relaxer {
   }
 
   const scene::Scene& scene_;
+  const std::stop_token& stop_;
   const RelaxTuning& tuning_;
   std::uint32_t index_;
   Piece piece_;
@@ -115,26 +121,27 @@ Piece present(const scene::Scene& scene, std::uint32_t index) {
 
 }  // namespace
 
-Relaxation relax(const scene::Scene& scene, PieceId id, const RelaxTuning& tuning) {
+Relaxation relax(const scene::Scene& scene, PieceId id, const std::stop_token& stop, const RelaxTuning& tuning) {
   const std::uint32_t index = id.value;
   const Piece piece = present(scene, index);
   if (scene.ties.free(index)) {
-    if (auto relaxed = Relaxer{scene, index, piece, tuning}.run()) return *relaxed;
+    if (auto relaxed = Relaxer{scene, index, piece, stop, tuning}.run()) return *relaxed;
   }
   return {piece, 0};
 }
 
-Relaxation relax_tilted(const scene::Scene& scene, PieceId id, int tilts, const RelaxTuning& tuning) {
+Relaxation relax_tilted(const scene::Scene& scene, PieceId id, int tilts, const std::stop_token& stop,
+                        const RelaxTuning& tuning) {
   const std::uint32_t index = id.value;
-  Relaxation best = relax(scene, id, tuning);
+  Relaxation best = relax(scene, id, stop, tuning);
   const TiltRange range = tilt_range(scene.marker, id);
-  for (int k = 0; k < tilts && range.least < range.most; ++k) {
+  for (int k = 0; k < tilts && range.least < range.most && !stop.stop_requested(); ++k) {
     const double part = tilts > 1 ? static_cast<double>(k) / (tilts - 1) : 0.5;
     const double degrees = range.least.degrees + part * (range.most.degrees - range.least.degrees);
     const Angle tilt = Angle::of_degrees(std::clamp(degrees, range.least.degrees, range.most.degrees));
     const Piece candidate = tilted(present(scene, index), scene.pieces[index], tilt);
     if (tilt == scene.marker.pieces[index].orientation.tilt || !is_cuttable(scene.marker, candidate)) continue;
-    const auto relaxed = Relaxer{scene, index, candidate, tuning}.run();
+    const auto relaxed = Relaxer{scene, index, candidate, stop, tuning}.run();
     if (relaxed && relaxed->freedom > best.freedom) best = *relaxed;
   }
   return best;
@@ -142,7 +149,8 @@ Relaxation relax_tilted(const scene::Scene& scene, PieceId id, int tilts, const 
 
 Result<RelaxedMarker> repair_and_relax(const Marker& start, PieceId piece, int tilts, const scene::Run& run) {
   return repair::repaired_and<RelaxedMarker>(start, run, [&](scene::Scene& scene, RelaxedMarker& relaxed) {
-    relaxed.relaxation = tilts > 0 ? relax_tilted(scene, piece, tilts) : relax(scene, piece);
+    relaxed.relaxation = tilts > 0 ? relax_tilted(scene, piece, tilts, run.stop) : relax(scene, piece, run.stop);
+    if (run.stopped()) relaxed.reason = scene::StopReason::kCancelled;
     scene.reorient(piece, relaxed.relaxation.piece.orientation, relaxed.relaxation.piece.at);
   });
 }

@@ -3,6 +3,8 @@
 // (largest_square.h).
 #pragma once
 
+#include <stop_token>
+
 #include "core/motion/piece/tuning.h"
 #include "core/motion/repair/motion_result.h"
 
@@ -15,13 +17,16 @@ struct Relaxation {
 
 // Translational relaxation [Li94 6.1.1], from where the piece lies.  The strip ends where the marker does.  The result
 // is a local optimum: the free regions are chosen anew about each better position.
+// When cancelled, it is the best position so far.
 // REQUIRES: the scene's pieces are valid.  A piece that is locked in any way, or in a group, stays.
-[[nodiscard]] Relaxation relax(const scene::Scene& scene, PieceId piece, const RelaxTuning& tuning = {});
+[[nodiscard]] Relaxation relax(const scene::Scene& scene, PieceId piece, const std::stop_token& stop = {},
+                               const RelaxTuning& tuning = {});
 
 // Rotational relaxation [Li94 6.1.2]: of `tilts` tilts evenly spaced over the piece's range, and its present one, the
-// one with most freedom.  Apart from rounding, the freedom never becomes less than at the present tilt.
+// one with most freedom.  Apart from rounding, the freedom never becomes less than at the present tilt.  When cancelled,
+// it is the best of the tilts so far.
 [[nodiscard]] Relaxation relax_tilted(const scene::Scene& scene, PieceId piece, int tilts,
-                                      const RelaxTuning& tuning = {});
+                                      const std::stop_token& stop = {}, const RelaxTuning& tuning = {});
 
 struct RelaxedMarker : repair::MotionResult {
   Relaxation relaxation;

@@ -125,7 +125,7 @@ class Tilter {
     for (const std::uint32_t i : order) {
       if (run_.stopped()) break;
       if (!scene.ties.free(i)) continue;
-      const Piece relaxed = piece::relax_tilted(scene, PieceId{i}, settings_.tilts).piece;
+      const Piece relaxed = piece::relax_tilted(scene, PieceId{i}, settings_.tilts, run_.stop).piece;
       scene.reorient(PieceId{i}, relaxed.orientation, relaxed.at);
     }
     return scene.result();

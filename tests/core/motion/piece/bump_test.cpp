@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 
 #include "core/marker/validity.h"
 #include "tests/core/motion/markers.h"
@@ -58,6 +59,24 @@ TEST(Bump, DoesNotMoveLockedPieces) {
   Layout layout{1000};
   layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400}, 0, true);
   EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{5000, 400}));
+}
+
+TEST(Bump, StopsOnItsWayWhenCancelled) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {5000, 400}).put(square, {0, 400});
+  const Marker marker = layout.marker();
+  SumCache sums;
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = repair_and_bump(marker, PieceId{0}, -1, 0, {sums, source.get_token()});
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(stopped->marker, marker);
+  const auto whole = repair_and_bump(marker, PieceId{0}, -1, 0, {sums});
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->reason, scene::StopReason::kConverged);
+  EXPECT_LT(whole->bump.at.x, 200);
 }
 
 TEST(Bump, KeepsTheSpacing) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <stop_token>
+
 #include "core/marker/validity.h"
 #include "tests/core/motion/markers.h"
 
@@ -78,6 +80,20 @@ TEST(RelaxTilted, RespectsTheTiltLimit) {
   Marker marker = chamber({250, 160});
   marker.shapes[0].tilt_limit = Angle::of_degrees(0);
   EXPECT_EQ(relaxed(marker, 0, 9).piece.orientation, marker.pieces[0].orientation);
+}
+
+TEST(RelaxTilted, StaysWhenCancelled) {
+  Marker marker = chamber({250, 160});
+  marker.shapes[0].tilt_limit = Angle::of_degrees(10);
+  SumCache sums;
+  std::stop_source source;
+  source.request_stop();
+  for (const int tilts : {0, 9}) {
+    const auto stopped = repair_and_relax(marker, PieceId{0}, tilts, {sums, source.get_token()});
+    ASSERT_TRUE(stopped);
+    EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
+    EXPECT_EQ(stopped->marker, marker);
+  }
 }
 
 RC_GTEST_PROP(RelaxLaws, TheWholeSquareIsFree, ()) {
