@@ -1,5 +1,5 @@
-// Prints the tables of coverings and of the thesis' program in docs/packing.md: for each instance and convex covering,
-// the number of sets and half-planes, and the result of Cbc for the program.
+// Prints the tables of coverings and of the thesis' program in docs/measurements/searches/packing.md: for each instance
+// and convex covering, the number of sets and half-planes, and the result of Cbc for the program.
 //
 //   coverings_table [--seconds S] [--programs FOLDER] INSTANCE.json...
 //

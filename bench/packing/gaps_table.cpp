@@ -1,6 +1,6 @@
-// Prints the table of gaps in docs/packing.md.  Pieces that lie near each other are taken out of a compacted marker,
-// and `contain` decides whether they fit into the box in which they lay, among all others.  They do.  Then the largest
-// piece is made 3 % larger, so that usually they do not.
+// Prints the table of gaps in docs/measurements/searches/packing.md.  Pieces that lie near each other are taken out of
+// a compacted marker, and `contain` decides whether they fit into the box in which they lay, among all others.  They
+// do.  Then the largest piece is made 3 % larger, so that usually they do not.
 //
 //   gaps_table [--least N] [--most N] [--gaps N] [--nodes N] [--seed N] [--slow MS] [--only GAP] MARKER.json...
 //

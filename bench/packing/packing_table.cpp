@@ -1,4 +1,5 @@
-// Prints the table of optimal packings in docs/packing.md, with one line for each instance as soon as it is finished.
+// Prints the table of optimal packings in docs/measurements/searches/packing.md, with one line for each instance as
+// soon as it is finished.
 //
 //   packing_table [--turns] [--nodes N] [--pivots N] [--seconds S] [--after S] [--gap G] INSTANCE.json...
 //

@@ -1,5 +1,5 @@
-// Prints the tables of refitting in docs/packing.md: the gain of fill_gaps and compact_exactly over standard
-// compaction, one line for each marker and time limit.
+// Prints the tables of refitting in docs/measurements/searches/packing.md: the gain of fill_gaps and compact_exactly
+// over standard compaction, one line for each marker and time limit.
 //
 //   refitting_table [--motion fill|windows] [--seconds S]... [--pieces N] [--nodes N] [--seed N] MARKER.json...
 //

@@ -1,5 +1,5 @@
-// The times of matching in docs/from-the-library.md: a search by signatures, an assignment, and the pairing of markers
-// of one garment.
+// The times of matching in docs/measurements/searches/remaking.md: a search by signatures, an assignment, and the
+// pairing of markers of one garment.
 //
 //   matching_table MARKER.json...
 //

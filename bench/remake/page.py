@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Measures remaking, and writes the tables and pictures of docs/from-the-library.md.
+"""Measures remaking, and writes the tables and pictures of the pages about it.
 
-usage: page.py --programs BUILD/bin --kept FOLDER --page docs/from-the-library.md --data SELVAGE_DATA [--seconds S]
+usage: page.py --programs BUILD/bin --kept FOLDER --page PAGE... --data SELVAGE_DATA [--seconds S]
 
 What takes long is kept in the folder, so that the measurement can be interrupted and continued: the stored markers (made.py),
 a line for every order that was remade, and the layouts of the other nester.  A run uses S seconds of processor time, for one
@@ -170,7 +170,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--programs", type=pathlib.Path, required=True)
     parser.add_argument("--kept", type=pathlib.Path, required=True)
-    parser.add_argument("--page", type=pathlib.Path, required=True)
+    parser.add_argument("--page", type=pathlib.Path, nargs="+", required=True, help="the first one has the pictures")
     parser.add_argument("--data", type=pathlib.Path, required=True)
     parser.add_argument("--seconds", type=float, default=600)
     parser.add_argument("--race", action="store_true", help="also run the other nester where its layouts are not kept")
@@ -180,15 +180,17 @@ def main():
     options.kept.mkdir(parents=True, exist_ok=True)
     results = measure(options)
     stored = made.stored_marker(options, "jeans_02g")
-    pictures = options.page.parent / "pictures" / "library"
+    pictures = options.page[0].parent / "pictures" / "library"
     steps = made.run(options.programs / "remake_steps", pictures, 1, stored, made.best_known(options))
     examples = made.EXAMPLES
     matching = made.run(options.programs / "matching_table", examples / "jeans_06g.json", examples / "jeans_22g.json")
-    page = options.page.read_text("utf-8")
-    for name, text in (("steps", steps), ("figures", figures(results)), ("losses", losses(results)), ("mixes", mixes(options)),
-                       ("matching", matching), ("race", race(options))):
-        page = replaced(page, name, text)
-    options.page.write_text(page, "utf-8")
+    parts = (("steps", steps), ("figures", figures(results)), ("losses", losses(results)), ("mixes", mixes(options)),
+             ("matching", matching), ("race", race(options)))
+    for path in options.page:
+        page = path.read_text("utf-8")
+        for name, text in parts:
+            page = replaced(page, name, text)
+        path.write_text(page, "utf-8")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@
 // They support the comparison of shapes and never replace it: where two pieces have names or sizes that differ, they
 // count as if a part of their area differed, too.  So labels decide between shapes that fit about equally well, and
 // shapes decide against labels as soon as they differ by more than that part.
-// Units: prices are parts of the mean area of the two pieces; their values come from docs/from-the-library.md.
+// Units: prices are parts of the mean area of the two pieces; their values come from
+// docs/measurements/searches/remaking.md.
 #pragma once
 
 #include <string>

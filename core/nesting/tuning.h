@@ -1,5 +1,5 @@
 // The tuning constants of nesting as a whole.  Lengths are parts of the marker's length.  Those of the local search are
-// in local_search/tuning.h; docs/nesting.md shows what halving and doubling them does.
+// in local_search/tuning.h; docs/measurements/sensitivity.md shows what halving and doubling them does.
 #pragma once
 
 #include <cstddef>

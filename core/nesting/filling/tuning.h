@@ -1,4 +1,4 @@
-// The tuning constants of filling; docs/nesting.md has what it gains.
+// The tuning constants of filling; docs/measurements/searches/nesting.md has what it gains.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The tuning constants of the exact search.  No answer becomes wrong with other values: a search only takes longer.
-// docs/packing.md has the figures behind them.
+// docs/measurements/searches/packing.md has the figures behind them.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Convex coverings of the outside of a star-shaped Minkowski sum: the convex sets among which an exact search chooses
 // one for each pair of pieces [Li94 8.2, Definition 8.1].  There are three, which differ in how many sets they have and
-// whether these overlap; docs/packing.md compares them.
+// whether these overlap; docs/measurements/searches/packing.md compares them.
 //
 // - Wedges: beyond one edge, between the rays from the centre through its ends.  As many as there are edges; disjoint.
 //   The search of core/packing/branching uses them.

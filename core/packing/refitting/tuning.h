@@ -1,5 +1,5 @@
 // The tuning constants of refitting.  Values without another source were tuned on the example markers
-// (docs/packing.md).
+// (docs/measurements/searches/packing.md).
 #pragma once
 
 #include <array>

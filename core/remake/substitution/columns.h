@@ -1,5 +1,6 @@
 // Columns: pieces that lie on top of each other across the strip.  Where they have become taller than the strip is
-// wide, no translation parts them: this is why most substitutions fail that fail (docs/from-the-library.md).
+// wide, no translation parts them: this is why most substitutions fail that fail
+// (docs/measurements/searches/remaking.md).
 //
 // Outlines are sampled along x.  A piece must lie above those that it lies above now by as much as their outlines
 // demand where they share some x; the longest chain of such demands is a column.  Pieces that could pass each other are

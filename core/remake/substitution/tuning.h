@@ -1,5 +1,5 @@
 // The tuning constants of remaking.  Lengths are parts of the strip's width and areas parts of the order's area unless
-// said otherwise.  Where no other source is named, the values come from docs/from-the-library.md.
+// said otherwise.  Where no other source is named, the values come from docs/measurements/searches/remaking.md.
 #pragma once
 
 #include <cstddef>
