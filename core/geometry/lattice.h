@@ -80,8 +80,8 @@ inline constexpr int kCoarsestExponent = 6;
 // The default resolution.  `decimals` is the largest number of decimal places in the input; `extent` is the largest
 // absolute coordinate and `width` is the strip's width, both in the marker's unit.
 // The resolution represents all input exactly where the lattice limit allows it.  It is finer still, so that the strip
-// is at least 2^28 units wide, or, where it cannot be exact, as fine as possible, as long as coordinates may grow to
-// kHeadroom times the extent: markers become longer when pieces are separated or added.
+// is at least 2^28 units wide, or as fine as possible where it cannot be exact, both only as far as
+// coordinates may still grow to kHeadroom times the extent: markers become longer when pieces are separated or added.
 [[nodiscard]] Resolution choose_resolution(int decimals, double extent, double width);
 
 inline constexpr double kHeadroom = 8;

@@ -7,8 +7,8 @@
 namespace selvage::geometry {
 namespace {
 
-// The edge from p to q by the numbers of these vertices, counted from 0: lattice coordinates mean nothing to the author
-// of the outline in another unit.
+// The edge from p to q by the numbers of these vertices, counted from 0: lattice coordinates mean nothing to an author
+// who drew the outline in another unit.
 std::string edge_name(std::span<const Vec> vertices, Vec p, Vec q) {
   const auto number = [&](Vec v) {
     return std::to_string(std::find(vertices.begin(), vertices.end(), v) - vertices.begin());

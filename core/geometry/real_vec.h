@@ -1,4 +1,4 @@
-// A point or a vector between lattice points, in lattice units.  It is rounded: for everything that need not be exact,
+// A point or a vector between lattice points, in lattice units.  It is rounded, and serves only what need not be exact,
 // such as the columns of a linear program, contact points in reports, and kernels of star-shaped polygons.
 #pragma once
 
@@ -10,14 +10,14 @@ struct RealVec {
   double x{}, y{};
 };
 
-// The same point or vector; exact, for lattice coordinates have fewer bits than a double's mantissa.
+// The same point or vector; exact, because lattice coordinates have fewer bits than a double's mantissa.
 [[nodiscard]] constexpr RealVec real(Vec v) {
   return {static_cast<double>(v.x), static_cast<double>(v.y)};
 }
 
 }  // namespace selvage::geometry
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using geometry::RealVec;
 }  // namespace selvage

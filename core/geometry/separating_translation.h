@@ -9,7 +9,7 @@
 // A translation that is found is a lattice vector, tested with `overlap`: it is a proof.  The search is not exact in
 // the other direction: a pair that only a translation between lattice points would separate may be refused.  At an edge
 // that costs at most a lattice unit and a half; at a corner with an acute angle, and where more than kMostCandidates
-// edges come near, it may cost more.  The answer does not depend on which of the two is named first: it is negated.
+// edges come near, it may cost more.  Naming the two in the other order only negates the answer.
 // Units: lattice units.
 #pragma once
 
