@@ -1,4 +1,5 @@
-// The Cholesky factorisation of a sparse symmetric matrix in blocks of two by two, repeated with the same pattern.
+// The Cholesky factorisation of a sparse symmetric matrix in blocks of two by two, computed repeatedly with the same
+// pattern.
 //
 // The x and y columns of a piece occur in the same rows, so the sparsity is that of a matrix over pieces, and no
 // indices are needed inside a block.  The factorisation is up-looking: it computes the factor row by row, each row by a
@@ -6,8 +7,8 @@
 // Blocks are stored in column-major order.
 // The last block columns may be kept: they are not eliminated, their Schur complement remains after the others have
 // been, and both triangular solves skip them.
-// Work is counted in block updates, each a product of two blocks.  When cancelled, a factorisation ends within
-// kUpdatesPerCheck of them and the longest row.
+// Work is counted in block updates, each a product of two blocks.  A cancelled factorisation makes at most
+// kUpdatesPerCheck more of them, and those of one row.
 // Invariant: block columns are in elimination order.
 #pragma once
 

@@ -2,11 +2,11 @@
 // of each domain can be eliminated independently of the other domains' [Geo73].
 //
 // The graph is given by its nets: all vertices of a net are adjacent to each other.  The vertices of a component are
-// sorted into levels by their distance from a vertex at one of its ends, which a breadth-first search finds from
-// the end of another [GL79].  A level separates what is before it from what is after it.  The graph is cut near every
-// multiple of 1/domains of its vertices, at the nearby level that has the fewest vertices adjacent to the next level;
-// these vertices form the border, together with the hubs: vertices in so many nets that they would join everything.
-// Deterministic: the result depends on the nets and the number of domains alone.
+// sorted into levels by their distance from a vertex at one of its ends, which a breadth-first search finds, started at
+// the end of an earlier one [GL79].  A level separates what is before it from what is after it.  The graph is cut near
+// every multiple of 1/domains of its vertices, at the nearby level that has the fewest vertices adjacent to the next
+// level; these vertices form the border, together with the hubs: vertices in so many nets that they would join
+// everything.  Deterministic: the result depends on the nets and the number of domains alone.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,8 @@ struct Nets {
 
 struct Dissection {
   static constexpr int kBorder = -1;
-  // The border is at most this part of the vertices, and no domain exceeds its equal part by more than this.
+  // The border has at most kMostBorder of the vertices, and no domain exceeds an equal share by more than kMostExcess
+  // of it.
   static constexpr double kMostBorder = 0.125;
   static constexpr double kMostExcess = 0.5;
 

@@ -28,10 +28,10 @@ enum class IntegerStatus {
   kInfeasible,  // there is no solution, or none that is better than the start
   kWorkLimit,   // all allowed nodes were used
   kStopped,     // cancelled
-  kFailed,      // the solver gave up, or returned what is no solution
+  kFailed,      // the solver gave up, or returned something that is not a solution
 };
 
-// What a search has come to.  The status says why it ended; there may be a solution whatever it is.
+// The outcome of a search.  The status says why it ended; with any status there may be a solution.
 struct IntegerSolution {
   IntegerStatus status{IntegerStatus::kFailed};
   std::vector<double> x{};   // one per column, whole ones rounded; empty: no solution was found

@@ -1,7 +1,7 @@
 // A linear program divided along its structure: domains, whose columns share no row with each other's, and a border of
 // a few columns, which occur in the rows of several domains.
 //
-// Position models of long markers divide well: a piece has rows with the pieces around it alone, so the pieces of some
+// Position models of long markers divide well: a piece has rows only with the pieces around it, so the pieces at a few
 // places along the strip separate all others.  How many domains there are depends on the size of the program, never on
 // the threads that work on them.
 #pragma once
@@ -15,8 +15,8 @@ namespace selvage::lp::interior_point {
 struct Division {
   struct Domain {
     std::vector<int> columns;  // of the program: first its own, then those of the border that its rows have
-    int own{};                 // the number of the former
-    std::vector<int> border;   // of each of the latter, its index in the border
+    int own{};                 // the number of its own columns
+    std::vector<int> border;   // of each of the other columns, its index in the border
     std::vector<int> rows;     // ascending
   };
   std::vector<Domain> domains;  // none: the program is not divided

@@ -2,8 +2,8 @@
 // which touches nothing outside of the domain.  The iteration for min c.x with A x - s = b, s >= 0, and the dual
 // A^T z = c, z >= 0, is that of interior_point.h.
 //
-// A program that is not divided is one domain without a border.  Otherwise, the sums over rows that a stage leaves in
-// the border's entries are those over the domain's own rows, and those of all domains have to be added up.
+// A program that is not divided is one domain without a border.  Otherwise, a stage leaves sums over the domain's own
+// rows in the border's entries, and the sums of all domains have to be added up.
 // Vectors over columns end with the zero column of RowRuns, which is 0 in all of them.
 #pragma once
 
@@ -56,7 +56,7 @@ class Domain {
   [[nodiscard]] std::span<double> direction_on_border() {
     return {dx_.data() + own_, static_cast<std::size_t>(form_.columns() - own_)};
   }
-  // The longest steps along the direction that keep slacks and prices positive; infinite when any does.
+  // The longest steps along the direction that keep slacks and prices positive; infinite when steps of any length do.
   struct Steps {
     double primal{}, dual{};
   };

@@ -6,8 +6,8 @@
 // models is the present layout and nearly feasible.
 // Large programs are divided into domains and a border (division.h); threads of the executor work on the domains, and
 // the border's normal equations are what remains of theirs.
-// Sources: [Meh92], [PG21].  Departs from them in using the inequality form, so that the matrix has one row per column
-// of the program.
+// Sources: [Meh92], [PG21].  The method departs from them in using the inequality form, so that the matrix has one row
+// per column of the program.
 #pragma once
 
 #include <stop_token>
@@ -28,8 +28,8 @@ struct InteriorPointSettings {
   int domain_size{500};
 };
 
-// The smallest row violation that rounding lets a solution be sure of: some roundings of the largest finite bound,
-// which in position models of long markers is the way to the strip's start.
+// The smallest row violation that a solution can guarantee in spite of rounding: a few roundings of the largest finite
+// bound, which in position models of long markers is the distance to the strip's start.
 [[nodiscard]] double attainable_violation(const LinearProgram& program);
 
 // Settings for a solution whose objective exceeds the optimum by at most `tolerance` (of 1 + |objective|), or by the

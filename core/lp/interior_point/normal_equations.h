@@ -2,7 +2,8 @@
 // the same A.
 //
 // The last columns may be kept, because they also occur in rows of other domains (border.h): then only the other
-// columns are eliminated, and what remains of the matrix and of the right-hand side is added to that of these domains.
+// columns are eliminated, and what remains of the matrix and of the right-hand side is added to the remainders of those
+// domains.
 #pragma once
 
 #include <cstddef>

@@ -45,7 +45,7 @@ struct RowRuns {
 };
 [[nodiscard]] RowRuns row_runs(const InequalityForm& form);
 
-// In both products, x has an entry per column and one more for the zero column: it must be 0 in multiply, and has no
+// In both products, x has an entry per column and one more for the zero column, which must be 0 in multiply and has no
 // meaning after multiply_transposed.
 //
 // result = A x:
