@@ -8,7 +8,7 @@ namespace selvage::marker {
 namespace {
 
 constexpr std::size_t kBlock = 512;  // pairs that one thread proves at a time
-// So few changed pieces are compared with all others one by one; the pairs of more are found by a sweep.
+// Up to this many changed pieces are compared with all others one by one; the pairs of more are found by a sweep.
 constexpr std::size_t kFew = 16;
 
 // True when the polygon, in place of the piece, collides with none of the others but for those that skip(other) names.

@@ -111,12 +111,12 @@ inline constexpr std::size_t kMaxPieces = 20'000;  // placed and unplaced ones t
 // A piece's outline at its position and in its orientation.
 [[nodiscard]] Polygon placed_outline(const Marker& marker, PieceId piece);
 
-// The match point of a piece as it is turned, rounded to the lattice like the vertices of the outline, from the piece's
-// position; 0 when it has none.
+// The match point of a piece as it is turned, relative to the piece's position and rounded to the lattice like the
+// vertices of the outline; 0 when it has none.
 [[nodiscard]] Vec turned_match(const Piece& piece);
 
-// The part of a piece that accepts less of the cloth's quality (rules.h), as it is turned and from the piece's
-// position, rounded like the outline; empty when it has none.
+// The part of a piece that accepts less of the cloth's quality (rules.h), as it is turned, relative to the piece's
+// position and rounded like the outline; empty when it has none.
 [[nodiscard]] Polygon turned_part(const Piece& piece);
 // False when rounding made the turned part touch itself.
 [[nodiscard]] bool part_is_polygon(const Piece& piece);

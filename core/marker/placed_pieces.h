@@ -35,8 +35,8 @@ class PlacedPieces {
     const SharedPolygon& polygon = *polygons_[piece];
     return {polygon.vertices, polygon.box, at_[piece]};
   }
-  // What the other one must not overlap: the piece or, where the other one is a zone that is too bad for the piece's
-  // part alone, that part.  The box is that of the whole piece.
+  // What the other one must not overlap: the piece or, where the other one is a zone that is too bad only for the
+  // piece's part, that part.  The box is that of the whole piece.
   [[nodiscard]] geometry::PlacedPolygon facing(std::size_t piece, std::size_t other) const {
     if (!shows_part(piece, other)) return (*this)[piece];
     const SharedPolygon& polygon = *polygons_[piece];
@@ -46,7 +46,7 @@ class PlacedPieces {
   [[nodiscard]] bool shows_part(std::size_t piece, std::size_t other) const {
     return rooms_ && only_part_meets(rooms_->rules[piece], rooms_->rules[other]);
   }
-  // The part of the piece as it is turned, from its position; empty: it has none.
+  // The part of the piece as it is turned, relative to its position; empty: it has none.
   [[nodiscard]] std::span<const Vec> part(std::size_t piece) const { return polygons_[piece]->part; }
   [[nodiscard]] Box box(std::size_t piece) const { return polygons_[piece]->box.moved(at_[piece]); }
   [[nodiscard]] Vec at(std::size_t piece) const { return at_[piece]; }
@@ -71,12 +71,12 @@ class PlacedPieces {
   [[nodiscard]] bool is_zone(std::size_t piece) const { return rooms_ && rooms_->rules[piece].zone; }
   // True for a zone whose cloth has a quality, which some pieces may accept.
   [[nodiscard]] bool is_usable_zone(std::size_t piece) const { return is_zone(piece) && rooms_->rules[piece].quality; }
-  // True for a pair that may lie over each other: a zone, and another zone or a piece that accepts its cloth.  Whoever
-  // looks for the neighbours of a piece leaves these out.
+  // True for a pair that may lie over each other: a zone, and another zone or a piece that accepts its cloth.  Searches
+  // for the neighbours of a piece leave these out.
   [[nodiscard]] bool may_share_cloth(std::size_t p, std::size_t q) const {
     return rooms_ && marker::may_share_cloth(rooms_->rules[p], rooms_->rules[q]);
   }
-  // The x up to which a piece makes the marker extend: its right end.  A zone takes nothing of its length.
+  // The x up to which a piece makes the marker extend: its right end.  A zone does not lengthen the marker.
   [[nodiscard]] Coord end_of(std::size_t piece) const { return is_zone(piece) ? 0 : box(piece).high.x; }
   // The x coordinate at which the rightmost piece ends.
   [[nodiscard]] Coord length() const;
@@ -103,13 +103,13 @@ class PlacedPieces {
   }
   // The set of this piece, if it has one; null when it is alone in it.
   [[nodiscard]] const MatchSet* match_set_of(std::size_t piece) const;
-  // Where the match point of a piece lies.  REQUIRES: it is of a match set.
+  // Where the match point of a piece lies.  REQUIRES: it belongs to a match set.
   [[nodiscard]] Vec match_at(std::size_t piece) const { return at_[piece] + matches_[piece]; }
   // By how much a piece is off the phase of another one of its match set.
   [[nodiscard]] Vec off_phase(std::size_t piece, std::size_t other) const {
     return off_repeat(match_at(piece) - match_at(other), rooms_->repeat);
   }
-  // By how much the pieces of a match set are off the phase of its first piece at most, on any axis.
+  // The most by which a piece of a match set is off the phase of its first piece, on any axis.
   [[nodiscard]] Coord off_phase(const MatchSet& set) const;
   // By how much the pieces of a shade are farther from each other than they may be; 0 or less when they are not.
   [[nodiscard]] Coord excess_of(const Shade& shade) const;

@@ -1,12 +1,12 @@
-// Cloth's rules: where on the strip a piece may lie, besides keeping clear of other pieces.  What a piece may not do
-// because of them is said here, and nowhere else: its room, which is the strip's unless it has rules of its own, and
-// the pieces that have to lie near it along x.  Units: lattice units.
+// Cloth's rules: where on the strip a piece may lie, besides keeping clear of other pieces.  What they demand of a
+// piece is defined here, and nowhere else: its room, which is the strip's unless it has rules of its own, and the
+// pieces that have to lie near it along x.  Units: lattice units.
 // A zone, a part of the cloth that no piece may cover, or only some, is listed among the pieces and handled as a locked
-// one.  It differs from it in four ways: it may lie anywhere, also beyond the strip; it keeps no distance from pieces,
-// and allows no overlap; zones may overlap each other; and it counts neither as a piece nor in length and utilisation.
-// The cloth of a zone may have a quality class, as parts of a sheet have in packingsolver
+// one.  It differs from a locked piece in four ways: it may lie anywhere, also beyond the strip; it keeps no distance
+// from pieces, and allows no overlap; zones may overlap each other; and it counts neither as a piece nor in length and
+// utilisation.  The cloth of a zone may have a quality class, as parts of a sheet have in packingsolver
 // (github.com/fontanf/packingsolver): pieces that accept the class lie there as on any other cloth.  A part of a piece
-// may accept less than the rest of it; a zone that is too bad for the part alone meets that part and not the whole
+// may accept less than the rest of it; a zone that is too bad only for the part meets that part and not the whole
 // piece.
 #pragma once
 
@@ -56,15 +56,15 @@ struct Rules {
   std::optional<Coord> below{}, above{};  // selvedges of its own: its distances from the strip's long edges
   std::optional<Coord> from{}, to{};      // a band across the cloth: it lies between these two x
   bool on_fold{};                         // a side of it lies on an edge of the strip where the cloth is folded
-  std::optional<Vec> match{};             // a point of the shape that lies where a repeat of the cloth begins, or
-  std::string match_set{};                // where repeats lead from those of the other pieces of this set; empty: none
+  std::optional<Vec> match{};             // a point of the shape: it lies where a repeat of the cloth begins or,
+  std::string match_set{};                // with a set, whole repeats away from those of its other pieces; empty: none
   std::optional<Vec> phase{};             // where repeats begin for it, in place of the cloth's; none: as on the cloth
-  std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: of none
+  std::string shade{};                    // pieces of one shade lie within Marker::shade of each other; empty: no shade
   std::optional<Nap> nap{};               // it lies this way
   bool zone{};  // it is no piece of a garment but a part of the cloth that no piece may cover, such as a flaw or a hole
   std::optional<Quality> quality{};  // of a piece: the worst class that it accepts; none: 0.  Of a zone: the class of
                                      // its cloth, at least 1; none: one that no piece accepts
-  std::optional<Part> part{};        // which accepts less; none: all of the piece accepts the same
+  std::optional<Part> part{};        // the part that accepts less; none: all of the piece accepts the same
 
   // True when its match point lies where a repeat of the cloth begins, whatever other pieces do.
   [[nodiscard]] bool matched_to_cloth() const { return match && match_set.empty(); }
@@ -77,7 +77,7 @@ struct Rules {
 // Tilts, which are small, make no difference.
 [[nodiscard]] bool keeps_nap(const Rules& rules, const Orientation& orientation);
 
-// True when the two may lie over each other whatever their outlines: two zones, and a zone and a piece that accepts the
+// True when the two may lie over each other whatever their outlines: two zones, or a zone and a piece that accepts the
 // quality of its cloth.
 [[nodiscard]] bool may_share_cloth(const Rules& p, const Rules& q);
 // True when the piece accepts the quality of the zone's cloth but for its part, so that the part is all of the piece
@@ -96,7 +96,8 @@ struct Rules {
 [[nodiscard]] Repeat repeat_for(const Rules& rules, const Strip& strip);
 
 // The room of a piece: the box in which its own box may lie when the strip ends at x = `end`.  `height`: of the piece's
-// box, which fills the room across when it lies on the fold, at the edge `fold`.  That of a zone is the whole plane.
+// box, which fills the room across when it lies on the fold, at the edge `fold`.  The room of a zone is the whole
+// plane.
 [[nodiscard]] Box room_for(const Rules& rules, Coord height, FoldEdge fold, const Strip& strip, Coord end);
 
 // The part of a room in which a piece that is matched to the cloth may lie without changing to another repeat: on an
@@ -104,8 +105,8 @@ struct Rules {
 // where its box and its match point lie now.  Empty (high < low) on an axis on which the room has no position for it.
 [[nodiscard]] Box matched_room(const Box& room, const Box& box, Vec point, const Repeat& repeat);
 
-// The part of a way from one match point to another that is no whole repeat of the cloth, on each axis from minus half
-// a repeat to half a repeat; 0 on an axis on which the pattern does not change.
+// What is left of a way from one match point to another without whole repeats of the cloth: on each axis from minus
+// half a repeat to half a repeat; 0 on an axis on which the pattern does not change.
 [[nodiscard]] Vec off_repeat(Vec way, const Repeat& repeat);
 
 // The pieces of one match set: the ways between their match points are whole repeats of the cloth.  The set itself may

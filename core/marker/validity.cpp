@@ -26,7 +26,7 @@ Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marke
   return {PieceId{first}, PieceId{second}, witness.x, witness.y, std::max(0.0, depth)};
 }
 
-// Of a shade whose pieces are too far from each other.
+// The fault of a shade whose pieces are too far from each other.
 ShadeFault fault_of(const Shade& shade, const PlacedPieces& pieces) {
   const auto leftmost =
       std::min_element(shade.pieces.begin(), shade.pieces.end(),

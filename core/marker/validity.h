@@ -53,7 +53,7 @@ struct Validity {
 
 // A piece's outline from the cache, with the symmetry under which it is placed.
 [[nodiscard]] outline::OrientedOutline oriented_outline(const Marker& marker, PieceId piece, minkowski::SumCache& sums);
-// The same of its part.  REQUIRES: it has one.
+// The same for its part.  REQUIRES: it has one.
 [[nodiscard]] outline::OrientedOutline oriented_part(const Piece& piece, minkowski::SumCache& sums);
 
 // All overlaps and protrusions, with depths.  The depths need Minkowski sums, which are taken from the cache.
