@@ -8,8 +8,9 @@
 
 namespace selvage::matching {
 
-// The area that the one outline covers and the other, displaced, does not, and the reverse.
-// Laws.  (1) 0 when they coincide.  (2) Symmetric: of (a, b, by) and (b, a, -by).  (3) At most the sum of their areas.
+// The area that is covered by exactly one of the outlines, the second one displaced.
+// Laws.  (1) 0 when they coincide.  (2) Symmetric: the same for (a, b, by) and (b, a, -by).  (3) At most the sum of
+// their areas.
 [[nodiscard]] double symmetric_difference(const Polygon& first, const Polygon& second, Vec by);
 // The area that both cover.
 [[nodiscard]] double shared_area(const Polygon& first, const Polygon& second, Vec by);

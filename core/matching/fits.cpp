@@ -27,7 +27,7 @@ class DrawnShape {
  public:
   explicit DrawnShape(const Shape& shape) : shape_{shape} {}
 
-  // In each orientation without tilt, the cheapest first.
+  // The fits in all orientations without tilt, the cheapest first.
   [[nodiscard]] std::vector<Fit> into(const Slot& slot, const Silhouette& silhouette) {
     std::vector<Fit> fits;
     for (const Orientation& orientation : orientations_of(shape_, without_tilt(slot.orientation))) {

@@ -3,9 +3,9 @@
 // A slot is the place of a piece in a marker that is to be taken over.  What a piece costs in a slot is the estimated
 // area in which their silhouettes differ, in one of the orientations that the piece's shape allows, and the growth
 // across the strip counts again: pieces stacked across the cloth that become taller do not fit its width any more,
-// whereas smaller ones leave a gap (docs/measurements/searches/remaking.md).  What pieces are called counts apart
-// (pairing.h).  Tilts take no part in that: silhouettes are compared without them, and a piece takes the slot's tilt
-// where its shape allows it.
+// whereas smaller ones leave a gap (docs/measurements/searches/remaking.md).  What pieces are called is counted
+// separately (pairing.h).  Tilts are not counted: silhouettes are compared without them, and a piece takes the slot's
+// tilt where its shape allows it.
 // Units: lattice units and square lattice units of the order's resolution.
 #pragma once
 

@@ -14,7 +14,7 @@
 
 namespace selvage::matching {
 
-// Equal pieces of different sizes have the same name.  Compared character by character.
+// Equal pieces of different sizes have the same name.  Labels are compared character by character.
 struct Label {
   std::string name, size;  // empty: not known
   friend bool operator==(const Label&, const Label&) = default;

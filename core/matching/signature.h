@@ -2,7 +2,7 @@
 //
 // The numbers describe the distribution of the pieces' areas and of the sides of their shapes' boxes, relative to the
 // strip's width.  They are the same for one bundle as for six, so that a marker of half the bundles is found as a part
-// of a concatenation; the number of pieces and their area count apart.
+// of a concatenation; the number of pieces and their area are counted separately.
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ struct Signature {
 // REQUIRES: the marker has pieces.
 [[nodiscard]] Signature signature_of(const Marker& marker);
 
-// Which stored markers may be near an order at all: the unit is the same, and width and spacing differ by no more.
+// Which stored markers may be near an order at all: the unit is the same, and width and spacing differ by no
+// more than these slacks.
 inline constexpr double kWidthSlack = 0.01;     // part of the order's width
 inline constexpr double kSpacingSlack = 0.001;  // part of the order's width
 

@@ -22,7 +22,8 @@ struct Silhouette {
 };
 [[nodiscard]] Silhouette silhouette_of(const Polygon& outline);
 
-// About the area in which the two outlines differ when the middles of their boxes coincide; square lattice units.
+// An estimate of the area in which the two outlines differ when the middles of their boxes coincide; square lattice
+// units.
 // Laws.  (1) Symmetric.  (2) 0 for outlines that are translates of each other, and above 0 for others, but for a
 // collision of their hashes.
 [[nodiscard]] double estimated_difference(const Silhouette& first, const Silhouette& second);
