@@ -13,7 +13,7 @@ bool same_but_for_rounding(Vec a, Vec b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1;
 }
 
-// As std::llround, which is a call: the nearest whole number, of two equally near ones the one farther from 0.
+// Like std::llround, but without a call: the nearest whole number, of two equally near ones the one farther from 0.
 Coord rounded(double value) {
   const auto whole = static_cast<Coord>(value);
   const double rest = value - static_cast<double>(whole);
