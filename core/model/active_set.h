@@ -27,7 +27,7 @@ enum class Extent {
 
 class ActiveSet {
  public:
-  // Times the size that the set grows to at each step: the programs of a growing set together then cost little more
+  // The factor by which the set grows at each step: the programs of a growing set together then cost little more
   // than the last of them.
   static constexpr std::size_t kGrowth = 8;
 

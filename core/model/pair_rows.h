@@ -31,7 +31,7 @@ enum class TightRows {
   kKeep,     // to keep the room that it has: for layouts without any slack, where kRestore is infeasible
 };
 
-// How two pieces lie to each other.
+// How two pieces lie relative to each other.
 struct PairPosition {
   const minkowski::Obstacle& obstacle;  // that the first piece is to the second
   Vec r;                                // where the second is now, relative to the first
@@ -69,7 +69,8 @@ struct FreeSide {
 struct RowSettings {
   ModelUnit unit;
   TightRows tight{};
-  // Rows are left out which the pair cannot break while it moves against each other by no more than this on each axis.
+  // Rows that the pair cannot break while its pieces move against each other by no more than this on each axis are left
+  // out.
   double motion{std::numeric_limits<double>::infinity()};
 };
 // The rows of one pair.

@@ -3,9 +3,9 @@
 // Columns are displacements from the present positions, in model units (model_unit.h).  On each axis, tied pieces share
 // a column and fixed pieces have none (ties.h).  Rows are n . (d_q - d_p) >= bound with unit normals n (pair_rows.h).
 // The change of the marker's length may be one more column.
-// Cloth's rules are here once for every program: the room of a piece is the bounds of its columns, and each shade is
-// one column, the left end of the cloth that its pieces have to lie on, with two rows for each of them.  A match set is
-// a tie: its repeats are fixed.
+// Cloth's rules are modelled here, once for every program: the room of a piece is the bounds of its columns, and each
+// shade is one column, the left end of the cloth that its pieces have to lie on, with two rows for each of them.  A
+// match set is a tie: its repeats are fixed.
 #pragma once
 
 #include <array>

@@ -26,8 +26,8 @@ struct Ties {
   void join(std::size_t p, std::size_t q);
 };
 
-// These and those of match sets: where the pattern repeats, the pieces of a set share a displacement, so that they stay
-// in phase.  A motion of single pieces does without them, because a piece may move by whole repeats alone.
+// These ties and those of match sets: where the pattern repeats, the pieces of a set share a displacement, so that they
+// stay in phase.  A motion of single pieces does without them, because a single piece may move by whole repeats.
 [[nodiscard]] Ties with_match_sets(Ties ties, const marker::PlacedPieces& pieces, const Strip& strip);
 
 // The ties of a marker: a piece that is locked on an axis is fixed there, and so is its group.

@@ -54,8 +54,8 @@ double dot(RealVec a, RealVec b) {
 
 using TouchedEdges = boost::container::small_vector<Touched, kUsual>;
 
-// True when a point that moves in the direction is soon stopped, or led aside by little, by one of the edges.
-bool goes_on(const TouchedEdges& touched, RealVec direction) {
+// True when one of the edges soon stops a point that moves in the direction, or turns it slightly aside.
+bool is_obstructed(const TouchedEdges& touched, RealVec direction) {
   return std::any_of(touched.begin(), touched.end(),
                      [&](const Touched& other) { return dot(other.normal, direction) < 0; });
 }
@@ -71,7 +71,8 @@ Backing backing_along(const Touched& edge, const TouchedEdges& touched, double t
   const bool after = edge.to < tolerance;
   const RealVec back{-edge.along.x, -edge.along.y};
   if (!before && !after) return Backing::kEdge;
-  if ((!before || goes_on(touched, back)) && (!after || goes_on(touched, edge.along))) return Backing::kEdge;
+  if ((!before || is_obstructed(touched, back)) && (!after || is_obstructed(touched, edge.along)))
+    return Backing::kEdge;
   return is_flat(touched, edge.normal) ? Backing::kEdge : Backing::kCorner;
 }
 
