@@ -1,5 +1,5 @@
 // A lower bound on how far several pieces can move to the left together, found without Minkowski sums.  Lines along the
-// strip divide it into slabs; in each slab, a piece counts as the box around what lies there of it.
+// strip divide it into slabs; in each slab, a piece counts as the box around the part of it that lies there.
 // Units: lattice units.
 #pragma once
 
@@ -26,7 +26,7 @@ class Slabs {
 
  private:
   static constexpr std::size_t kSlabs = 64;
-  // What a piece takes of a slab, from left to right.
+  // The stretch of a slab that a piece takes, from left to right.
   struct Span {
     Coord from{}, to{};
     std::uint32_t piece{};

@@ -35,8 +35,8 @@ struct GapTuning {
 struct CriticalPathTuning {
   double reach{0.005};       // part of the width: contacts are looked for this near
   double contact{1e-4};      // part of the width: only pieces and edges this near are in contact, and reported
-  double touching{1e-5};     // part of the width: a contact lies along an edge that is this near, beyond its line's
-  double beside{1.5};        // distance, of which this multiple is allowed for as well
+  double touching{1e-5};     // part of the width: a contact lies along an edge that is this near or, off its line,
+  double beside{1.5};        // farther by up to this multiple of the distance from that line
   double least_worth{1e-6};  // smaller loads are rounding of the solver; all loads on the right edge add up to 1
   double spare{1e-2};        // model units by which the length may grow, so that rows' margins leave a feasible point
   friend bool operator==(const CriticalPathTuning&, const CriticalPathTuning&) = default;

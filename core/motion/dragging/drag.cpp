@@ -48,7 +48,7 @@ class Dragger {
   }
 
   Drag push() {
-    // From one repeat of the cloth to another no piece slides.
+    // No piece slides from one repeat of the cloth to another.
     const bool matched = scene_.pieces.repeat_of(piece_, start_.strip) != Vec{};
     scene_.shift(PieceId{piece_}, (matched ? nearest_found() : slid_towards()) - from_);
     Drag placed{scene_.result(), false};

@@ -97,7 +97,7 @@ class Floater {
     std::vector<FloatGap> near;
     for (const Gap& gap : gaps_within(scene_, reach, aim_.strip, settings_.edges)) {
       FloatGap now{gap, width_within(gap, scene_.pieces, aim_.strip, aim_.most), least_, false, aim_.most};
-      // The gaps that there were become uniform; others only stay as wide as they are.
+      // The gaps of the start become uniform; others only stay as wide as they are.
       if (settings_.mode == FloatMode::kUniform) now.held = !start_gaps_.contains(gap);
       if (const auto critical = critical_.find(gap); critical != critical_.end()) {
         now.held = true;

@@ -27,7 +27,7 @@ struct Gap {
 }
 
 // All gaps that may be narrower than `reach`, sorted: between pieces whose boxes are closer than that on both axes and,
-// if `edges`, to the edges of their rooms on `strip`, which ends.  Gaps that no motion can change are left out: between
+// if `edges`, to the edges of their rooms on `strip`.  Gaps that no motion can change are left out: between
 // pieces that are fixed or move together, and between an edge and a piece that is fixed or fills its room.
 [[nodiscard]] std::vector<Gap> gaps_within(const scene::Scene& scene, Coord reach, const Strip& strip, bool edges);
 

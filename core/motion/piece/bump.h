@@ -12,7 +12,7 @@
 namespace selvage::motion::piece {
 
 struct Bump {
-  scene::StopReason reason{};     // kWorkLimit: it passed so many corners that it may not have reached the end
+  scene::StopReason reason{};     // kWorkLimit: it passed so many corners that it may not have reached the end;
                                   // kCancelled: it stopped on its way
   Vec at;                         // where the piece ends up; proved valid
   double gain{};                  // the distance moved in the direction, lattice units; never negative

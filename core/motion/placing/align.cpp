@@ -45,7 +45,7 @@ class Aligner {
 
  private:
   [[nodiscard]] Vec along(Coord distance) const { return upright_ ? Vec{distance, 0} : Vec{0, distance}; }
-  // The pieces of its group with it, so that they remain tied to each other.
+  // Holds the pieces of its group, too, so that they remain tied to each other.
   void hold_other_axis(PieceId piece) {
     const model::Ties free = scene_.ties;
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {

@@ -6,7 +6,7 @@
 namespace selvage::motion::placing {
 namespace {
 
-// Those on one axis whose position is among the `2 * reach + 1` nearest to the wanted one.
+// The jumps on one axis whose position is among the `2 * reach + 1` nearest to the wanted one.
 std::vector<Coord> jumps_along(Coord from, Coord wanted, Coord repeat, Coord reach) {
   if (repeat == 0) return {0};
   const Coord nearest = std::llround(static_cast<double>(wanted - from) / static_cast<double>(repeat));

@@ -1,5 +1,5 @@
-// The tuning constants of placing.  They trade time for time: the position found is the nearest free one whatever they
-// are, but for `proofs` in corners so narrow that they hold hardly any lattice point, and for `repeats`.
+// The tuning constants of placing.  They affect the time only: the position found is the nearest free one whatever they
+// are, except for `proofs` in corners so narrow that they hold hardly any lattice point, and `repeats`.
 #pragma once
 
 #include <cstddef>

@@ -36,7 +36,7 @@ std::string leaves_the_strip(const scene::Scene& scene, std::size_t piece) {
          decimal(scene, static_cast<double>(protrusion(scene, piece)));
 }
 
-// What is said of the first shade whose excess is more than the limit; nothing when there is none.
+// The message about the first shade whose excess is more than the limit; nothing when there is none.
 std::optional<std::string> too_far_apart(const scene::Scene& scene, double limit) {
   for (const marker::Shade& shade : scene.pieces.shades()) {
     const auto excess = static_cast<double>(scene.pieces.excess_of(shade));
@@ -47,7 +47,7 @@ std::optional<std::string> too_far_apart(const scene::Scene& scene, double limit
   return std::nullopt;
 }
 
-// What is said of the first match set that is off its phase by more than the limit; nothing when there is none.
+// The message about the first match set that is off its phase by more than the limit; nothing when there is none.
 std::optional<std::string> off_the_pattern(const scene::Scene& scene, double limit) {
   for (const marker::MatchSet& set : scene.pieces.match_sets()) {
     const auto off = static_cast<double>(scene.pieces.off_phase(set));

@@ -1,4 +1,4 @@
-// What is wrong with a layout, how deep, and what is said about faults that are not repaired.
+// The faults of a layout, their depths, and the errors that report faults that are not repaired.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct Conflict {
   marker::PiecePair pair;
   SeparationTarget target;
 };
-// All of them, sorted by pair.  When cancelled, only some.
+// All conflicts, sorted by pair.  When cancelled, only some.
 [[nodiscard]] std::vector<Conflict> find_conflicts(const scene::Scene& scene, const scene::Run& run);
 
 // By how much a piece leaves the strip; at least 0; lattice units.
@@ -26,7 +26,7 @@ struct Conflict {
 // Refuses faults that are deeper than the limit, in lattice units.  Errors: kOutsideStrip, kMarkerOverlaps.
 [[nodiscard]] std::optional<Error> refuse_deep(const scene::Scene& scene, const std::vector<Conflict>& conflicts,
                                                double limit);
-// What is said when no motion repairs the faults.  REQUIRES: the pieces are where they were; there is a fault.
+// The error when no motion repairs the faults.  REQUIRES: the pieces are where they were; there is a fault.
 [[nodiscard]] Error repair_failed(const scene::Scene& scene, const std::vector<Conflict>& conflicts);
 
 }  // namespace selvage::motion::repair

@@ -71,7 +71,7 @@ class RepairProgram {
     model_->add_displacement_penalty(tuning_.displacement_cost);
   }
 
-  // The rows of all near pairs of which a piece is active.
+  // The rows of all near pairs of which at least one piece is active.
   [[nodiscard]] std::vector<model::PairRow> near_rows() const {
     std::vector<marker::PiecePair> pairs;
     std::copy_if(near_.begin(), near_.end(), std::back_inserter(pairs),

@@ -12,7 +12,7 @@ namespace selvage::motion::repair {
 // Moves the scene's pieces to the program's solution, rounded; what rounding breaks is left to another round.  The
 // marker grows only when there is no room within its length.  False, with the pieces where they were, when there is no
 // room beyond it either, or when cancelled.
-// REQUIRES: `conflicts` are the scene's, sorted; `limit`, in lattice units: none is deeper.
+// REQUIRES: `conflicts` are the scene's, sorted; no conflict is deeper than `limit` (lattice units).
 bool repair_step(scene::Scene& scene, const std::vector<Conflict>& conflicts, double limit, const RepairTuning& tuning,
                  const scene::Run& run);
 

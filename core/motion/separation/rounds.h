@@ -35,8 +35,8 @@ class Rounds {
   // The overlapping piece that blocks separation most: the one whose rows have the largest dual values [Li94 10], among
   // small pieces if there are any.  A fixed piece only if there is no other.  REQUIRES: not apart.
   [[nodiscard]] std::uint32_t most_blocking(Separation& total) const;
-  // How many pieces must be removed if no overlap goes with another one: as many as there are overlaps without a piece
-  // in common.  At least 1.  REQUIRES: not apart.
+  // How many pieces must be removed at least: as many as there are overlaps no two of which share a piece, found
+  // greedily.  At least 1.  REQUIRES: not apart.
   [[nodiscard]] std::size_t least_to_remove() const;
 
  private:
@@ -60,13 +60,13 @@ class Rounds {
   [[nodiscard]] bool has_many() const { return scene_.pieces.size() > tuning().many; }
   // Whether this round, 0 being the first, moves only what overlaps.
   [[nodiscard]] bool is_local(int round) const { return round > 0 && has_many(); }
-  // By how much the marker is too long, shades are, match sets are off their phase, and pieces leave the rooms that
-  // they were in before they were brought into phase.
+  // What is wrong besides overlaps, added up: by how much the marker and its shades are too long, match sets are off
+  // their phase, and pieces of match sets leave their rooms, as coming into phase may make them.
   [[nodiscard]] Coord excess() const;
   [[nodiscard]] bool apart() const { return known_ && overlapping_.empty() && excess() == 0; }
   // The overlap and excess length that remain.
   [[nodiscard]] double remaining() const { return depth_ + static_cast<double>(excess()); }
-  // Overlaps up to this depth come from rounding, and a repair takes them.
+  // Overlaps up to this depth come from rounding, and a repair removes them.
   [[nodiscard]] double shallow() const;
   // Whether the overlap keeps pieces from being separated: shallow ones do only where there are no others.
   [[nodiscard]] bool counts(const OverlappingPair& overlapping) const;
@@ -76,8 +76,8 @@ class Rounds {
   void place(std::vector<Vec> positions);
   // Finds all overlapping pairs, exactly.  False when cancelled: then only some of them were found.
   bool find_overlaps();
-  // A repair has rows that cannot be violated: it may part what prices leave overlapping by less than they are worth.
-  // False, with the pieces where they were, when there is no room within the allowed length, or when cancelled.
+  // A repair has rows that cannot be violated, so it may part pairs that prices alone leave overlapping.  False, with
+  // the pieces where they were, when there is no room within the allowed length, or when cancelled.
   bool repaired();
   // From every pair that still overlaps, the piece with the cheaper leap leaps; so does every piece that lies beyond
   // the allowed length.  False when cancelled, like find_overlaps.

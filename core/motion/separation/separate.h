@@ -4,7 +4,7 @@
 // Method.  Each round aims every overlapping pair at a point on the boundary of its Minkowski sum and solves one linear
 // program: it minimises the sum of |dx| + |dy| from where the pieces were; its rows may be violated at a price; the
 // marker may become longer than allowed at a price, which later rounds take back.  Pieces outside the strip are first
-// moved to its edge.  What only rounding has left is repaired (core/motion/repair/repair.h).
+// moved to its edge.  Overlaps that come only from rounding are repaired (core/motion/repair/repair.h).
 // Laws.  (1) `apart` is proved in integers.  (2) The marker is never longer than (1 + grow) times its length before,
 // nor than the cloth.  (3) Locked pieces stay in place to the lattice unit.  (4) The same input and settings give the
 // same answer, whatever the cache holds.  (5) If pieces still overlap, the sum of depths is no larger than in the input
@@ -37,8 +37,8 @@ struct SeparationSettings {
   friend bool operator==(const SeparationSettings&, const SeparationSettings&) = default;
 };
 
-// `length_before` is that of the input once what lies outside the strip is put back to its edge; nothing is repaired
-// beforehand.
+// `length_before` is that of the input once pieces outside the strip have been put back to its edge; nothing is
+// repaired beforehand.
 struct Separation : repair::MotionResult {
   bool apart{};           // all pieces are separated: the marker is valid; cancelled: as far as it was checked
   double moved{};         // the sum of |dx| + |dy| over all pieces; lattice units

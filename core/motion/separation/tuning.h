@@ -24,7 +24,7 @@ struct SeparationTuning {
   int leap_steps{8};          // of the grid that a leap searches, from the present position to either side
   std::size_t many{500};      // in markers with more pieces, only the first round brings pieces back towards where they
                               // were: later ones move what overlaps, and what that presses on, from where it is now
-  double tolerance{1e-4};     // of the programs there: pieces may move this part more than necessary
+  double tolerance{1e-4};     // of the programs in such markers: pieces may move this part more than necessary
   int patience{30};           // rounds without progress before separation gives up
   double progress{0.95};      // a round makes progress when at most this part of the overlap is left
   // Separation also gives up after this many rounds when all depths that are left, and what lies beyond the allowed

@@ -12,7 +12,8 @@ double right_of(const marker::PlacedPieces& pieces, std::size_t piece) {
   return static_cast<double>(pieces.end_of(piece));
 }
 
-// Calls visit(k, by, distance) for each near pair, the k-th, that moves against each other beyond its motion.
+// Calls visit(k, by, distance) for each near pair, the k-th, whose pieces move against each other by more than its
+// motion.
 template <class Visit>
 void for_each_beyond(const NearPairs& near, const Moves& moves, const Visit& visit) {
   for (std::size_t k = 0; k < near.pairs().size(); ++k) {

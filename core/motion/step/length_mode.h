@@ -1,9 +1,9 @@
 // What a round's program says about the marker's length, and which rows it leaves out until a solution breaks them.
 //
 // At fixed length every piece is bounded by the marker's present end.  Forces are right only about the present
-// positions, so no near pair may move against each other by more than the near pairs' motion: those limits are the rows
-// that enter late.  Where the marker is shortened, the length is a column, bounded by right walls; near pairs may move
-// any distance, and what enters late are the half-planes and walls that are farther away.
+// positions, so no two near pieces may move against each other by more than NearPairs::motion: those limits are the
+// rows that enter late.  Where the marker is shortened, the length is a column, bounded by right walls; near pairs may
+// move any distance, and what enters late are the half-planes and walls that are farther away.
 #pragma once
 
 #include <memory>
@@ -27,14 +27,14 @@ struct Moves {
 [[nodiscard]] double farthest_relative(const std::vector<marker::PiecePair>& pairs,
                                        const std::vector<RealVec>& displacements);
 
-// What a program left out and moves break.
+// The rows that a program left out and that moves break.
 struct BrokenRows {
   std::vector<model::PairRow> rows;
   std::vector<std::size_t> right_walls;  // of these pieces
   [[nodiscard]] bool empty() const { return rows.empty() && right_walls.empty(); }
 };
-// The largest fraction of the moves that keeps these rows.  All other rows allow any fraction, for they allow the whole
-// and they allow nothing.
+// The largest fraction of the moves that keeps these rows.  All other rows allow any fraction, because they allow both
+// the whole moves and none.
 [[nodiscard]] double feasible_fraction(const marker::PlacedPieces& pieces, const BrokenRows& broken,
                                        const Moves& moves);
 

@@ -1,5 +1,5 @@
-// The near pairs of a round: those that are within the trust radius, that can move against each other, and of which a
-// piece is active; with their obstacles, and the rows of these and of any other pair.
+// The near pairs of a round: those that are within the trust radius, that can move against each other, and of which at
+// least one piece is active; with their obstacles, and the rows of these and of any other pair.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +28,12 @@ class NearPairs {
 
   // How far two near pieces are assumed to move against each other on an axis; lattice units.
   [[nodiscard]] double motion() const { return motion_; }
-  // The same of one pair: one that hardly moved in the last round hardly moves in this one.
+  // The same for one pair: one that hardly moved in the last round hardly moves in this one.
   [[nodiscard]] double motion(marker::PiecePair pair) const;
 
-  // Adds the pairs that have become near because a piece of theirs is active now, those in `modelled` aside, and finds
-  // their obstacles.  Returns the number of pairs before.  Adds only some of them when cancelled: where pieces were
-  // turned, all sums are new, and a long marker has many.
+  // Adds the pairs that have become near because one of their pieces is active now, except those in `modelled`, and
+  // finds their obstacles.  Returns the number of pairs before.  Adds only some of them when cancelled: where pieces
+  // were turned, all sums are new, and a long marker has many.
   std::size_t extend(const model::ActiveSet& active, const PairSet& modelled, const scene::Run& run);
 
   // The rows of the pairs from the k-th on that their motion can break.

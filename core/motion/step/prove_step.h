@@ -20,7 +20,7 @@ struct ProvedStep {
   std::vector<marker::PiecePair> conflicts;
 };
 
-// Tries the fractions in turn; the first is 1.  A collision of a pair that is not modelled is no matter of rounding:
+// Tries the fractions in turn; the first is 1.  A collision of a pair that is not modelled does not come from rounding:
 // shorter steps are then not tried.
 [[nodiscard]] ProvedStep prove_step(const marker::PlacedPieces& pieces, const std::vector<RealVec>& displacements,
                                     const PairSet& modelled, std::span<const double> fractions,

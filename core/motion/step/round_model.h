@@ -42,9 +42,9 @@ class RoundModel {
   bool add_pressed_pieces(const lp::LpSolution& solution);
   // The rows that the solution presses on, other than a little.
   [[nodiscard]] std::vector<model::PairRow> pressed_rows(const lp::LpSolution& solution) const;
-  // Models those of the pairs that it does not model yet.  True when there were any.
+  // Models those of the pairs that are not modelled yet.  True when there were any.
   bool add_pairs(const std::vector<marker::PiecePair>& pairs);
-  // The pairs that one of the colliding pieces is near to after the moves.
+  // The pairs that are near each other after the moves and contain one of the colliding pieces.
   [[nodiscard]] std::vector<marker::PiecePair> ahead_of(const Moves& moves,
                                                         const std::vector<marker::PiecePair>& colliding) const;
   // Pieces that collide after rounding although their pairs are modelled move as one from now on: their relative
@@ -54,7 +54,7 @@ class RoundModel {
   // True when the program has so many more rows than the first one that it has to be the round's last (StepTuning).
   [[nodiscard]] bool has_outgrown() const;
 
-  // The pairs that it has rows for.
+  // The pairs that the model has rows for.
   [[nodiscard]] const PairSet& modelled() const { return modelled_; }
   [[nodiscard]] const std::vector<marker::PiecePair>& near_pairs() const { return near_.pairs(); }
 

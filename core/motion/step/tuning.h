@@ -19,7 +19,7 @@ struct StepTuning {
   // factor dense, and a round of a loose marker could take minutes.
   double most_growth{1.5};
   std::size_t spare_rows{200};  // by which a program may grow in any case
-  // Near means: within this fraction of the trust radius.
+  // Near, for foresight_after, means within this fraction of the trust radius.
   double foresight{0.3};
   // The moves of the last program are halved up to this many times, until no two pieces collide.
   int halvings{16};
