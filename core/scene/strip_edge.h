@@ -7,7 +7,7 @@ enum class StripEdge { kLeft, kRight, kBottom, kTop };  // bottom is y = 0, the 
 
 }  // namespace selvage::scene
 
-// Vocabulary: named in selvage itself as well, so that every room may use it unqualified.
+// Basic types: also available in namespace selvage, so that every folder can use them unqualified.
 namespace selvage {
 using scene::StripEdge;
 }  // namespace selvage
