@@ -14,7 +14,7 @@
 
 namespace selvage::nesting {
 
-// What a search has come to on a cloth that may end.
+// The state of a search on cloth that may end.
 struct AtClothEnd {
   const layout::PieceSet& set;
   const std::vector<double>& values;  // by piece

@@ -86,7 +86,7 @@ class Exploration {
   std::uint64_t until_{};        // moves of the search at which the present part ends
   Marker best_;
   Coord length_;
-  double worth_;         // as long as the best is not shorter, the search has gained too little; lattice units
+  double worth_;         // a search whose best is not shorter than this has gained too little; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
   bool converged_{};

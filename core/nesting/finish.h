@@ -24,8 +24,8 @@ struct Finish {
 [[nodiscard]] bool may_turn(const Marker& marker);
 
 // The marker made shorter by compaction with tilts [Li94 6.2]; nothing when that gains nothing.  `elapsed` as in
-// NestSettings: the motion is stopped when it reaches 1.  `rounds`: at most so many of tilts; none: as many as accuracy
-// standard.
+// NestSettings: the motion is stopped when it reaches 1.  `rounds`: at most this many rounds of tilts; none: as many as
+// at standard accuracy.
 // REQUIRES: the marker is valid; `fixed` has an entry for each of its placed pieces.
 [[nodiscard]] std::optional<Finish> finished(const Marker& marker, const std::vector<bool>& fixed,
                                              const std::function<double()>& elapsed, const scene::Run& run,

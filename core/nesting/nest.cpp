@@ -276,7 +276,7 @@ Nesting best_of(std::vector<Searched>& searched) {
   return nesting;
 }
 
-// Of a marker without match sets.
+// Nests a marker without match sets.
 Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, const scene::Run& run) {
   auto start = start_of(given, settings, run.sums);
   if (!start) return start.error();

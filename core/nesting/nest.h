@@ -62,8 +62,8 @@ struct Nesting : motion::repair::MotionResult {
 // The observer's rounds are the better markers as they are found, by any of the searches.
 // Errors: kEmptyMarker when there is no piece; kPieceTooWide for an unplaced piece that fits the strip, and the room
 // that its rules leave (core/marker/rules.h), in no allowed orientation; kMarkerOverlaps and kOutsideStrip when pieces
-// that must stay in place do not lie validly; those of start::first_layout, which pieces without rules only have where
-// they would reach beyond the lattice.
+// that must stay in place do not lie validly; those of start::first_layout, which without rules occur only where pieces
+// would reach beyond the lattice.
 [[nodiscard]] Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::nesting

@@ -1,5 +1,5 @@
-// The tuning constants of nesting as a whole.  Lengths are parts of the marker's length.  Those of the local search are
-// in local_search/tuning.h; docs/measurements/sensitivity.md shows what halving and doubling them does.
+// The tuning constants of nesting as a whole.  Lengths are parts of the marker's length.  The constants of the local
+// search are in local_search/tuning.h; docs/measurements/sensitivity.md shows what halving and doubling them does.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace selvage::nesting {
 
 struct NestTuning {
   double first_step{0.02};        // the first attempts shorten the layout by this part,
-  double step_factor{0.4};        // after each failure by this much less,
+  double step_factor{0.4};        // after each failure by the last part times this,
   double least_step{0.001};       // down to this part, from where on failures lead to disruptions
   std::size_t bold_patience{60};  // iterations without progress that end an attempt while steps are larger than that
   std::size_t pool{50};           // layouts that overlap least, kept to be disrupted

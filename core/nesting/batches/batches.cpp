@@ -15,7 +15,7 @@ bool is_free_along_strip(const Piece& piece) {
   return !rules.from && !rules.to && !rules.match && rules.shade.empty();
 }
 
-// Evenly from the large to the small pieces, so that all batches are alike.
+// Deals the pieces evenly, from the large to the small ones, so that all batches are alike.
 std::vector<Indices> dealt(const Marker& all, const std::vector<bool>& stay, std::size_t most) {
   Indices pieces;
   for (std::size_t i = 0; i < stay.size(); ++i) {
@@ -101,7 +101,7 @@ class Laying {
     const Coord reach = std::llround(tuning_.reach * static_cast<double>(marker_.strip.width));
     return std::max(*nth, last - reach);
   }
-  // And all zones.
+  // The pieces that lie and reach beyond x, and all zones.
   [[nodiscard]] Indices reaching_beyond(Coord x) const {
     Indices found;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {

@@ -1,4 +1,4 @@
-// How deep a piece overlaps another one, for every relative position: the signed distance to the boundary of their
+// How deeply a piece overlaps another one, for every relative position: the signed distance to the boundary of their
 // Minkowski sum, positive inside [Li94 3.1, 7.1]; the penetration depth of [IYN09] and [UYI+09].
 //
 // A map holds the distance as the sum's boundary, from which it is computed exactly, and sampled on a grid.  A second,
@@ -59,7 +59,7 @@ class alignas(64) DepthMap {
     float unit{};  // model units
   };
   [[nodiscard]] const Overlaps& overlaps() const { return overlaps_; }
-  // The same with x and y exchanged, made when it is asked for first.
+  // The same with x and y exchanged, made when it is first asked for.
   [[nodiscard]] const Overlaps& transposed_overlaps();
 
   [[nodiscard]] const Boundary& boundary() const { return boundary_; }
@@ -82,7 +82,7 @@ class alignas(64) DepthMap {
   [[nodiscard]] std::int16_t encoded(float signed_depth) const;
   [[nodiscard]] float decoded(std::int16_t sample) const;
 
-  // What fields read, first, so that it shares as few cache lines as it can.
+  // What fields read comes first, so that it shares as few cache lines as possible.
   Overlaps overlaps_, transposed_;
   Boundary boundary_;
   float clearance_;
@@ -90,7 +90,7 @@ class alignas(64) DepthMap {
   float low_x_{}, low_y_{}, high_x_{}, high_y_{};  // the box outside of which the depth is 0
   int first_column_{}, first_row_{}, columns_{}, rows_{};
   std::vector<std::int16_t> samples_;
-  std::vector<std::uint8_t> overlap_samples_, transposed_samples_;  // kLanes of nothing, theirs, 2 * kLanes of nothing
+  std::vector<std::uint8_t> overlap_samples_, transposed_samples_;  // kLanes zeros, theirs, 2 * kLanes zeros
 };
 
 // From the relative position of two pieces on the strip to a map's frame.

@@ -8,7 +8,7 @@
 namespace selvage::nesting::depth {
 namespace {
 
-// The first kLanes are used.  Of a vector that has no more than these, g++ 12 converts one byte after another.
+// Only the first kLanes are used: g++ 12 would convert a vector of just these one byte after another.
 using Bytes = std::uint8_t __attribute__((vector_size(2 * kLanes)));
 constexpr auto kStep = static_cast<std::ptrdiff_t>(kLanes);
 

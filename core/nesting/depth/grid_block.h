@@ -10,7 +10,7 @@ namespace selvage::nesting::depth {
 // A block of a map's overlaps (DepthMap::Overlaps), and the block of a field that it is added to.  Their rows are
 // equally long; those of the field run forwards, those of the grid may run backwards.
 struct GridBlock {
-  float* to{};                 // kLanes cells after the block's last one may be written, with what they hold
+  float* to{};                 // kLanes cells after the block's last one may be rewritten with what they hold
   const std::uint8_t* from{};  // the sample that is added to the first cell
   std::ptrdiff_t to_stride{}, from_stride{};
   std::ptrdiff_t columns{}, rows{};

@@ -6,8 +6,8 @@
 //
 // Between two moves of a piece most others stay where they are.  So a field that is computed again in the same room
 // subtracts what the others that have moved added before, and adds what they add now.  This leaves no rounding errors
-// behind: weights are rounded to whole multiples of a unit so small, and so large, that all sums of weighted samples
-// are whole numbers that a float holds exactly.
+// behind: weights are rounded to whole multiples of a unit that is chosen so that all sums of weighted samples are
+// whole numbers that a float holds exactly.
 // Units: model units, but for the cells.
 #pragma once
 
@@ -36,8 +36,8 @@ class Field {
   Field(const layout::PieceSet& set, depth::DepthMaps& maps) : set_{&set}, maps_{&maps} {}
 
   // Computes the field of the piece in an orientation, no farther along the strip than `reach` from where it lies, and
-  // at least as far as three fifths of it.  `weights`: by piece, what an overlap with it counts; 0 leaves it out.
-  // False, and nothing is computed, when the piece fits nowhere.
+  // at least three fifths as far.  `weights`: by piece, what an overlap with it counts; 0 leaves it out.  False, and
+  // nothing is computed, when the piece fits nowhere.
   [[nodiscard]] bool compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
                              std::span<const float> weights, double reach = std::numeric_limits<double>::infinity());
 

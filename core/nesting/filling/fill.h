@@ -1,5 +1,5 @@
-// Filling: chooses which of the pieces lie on a strip that ends, so that those that do are worth as much as the search
-// can make it.
+// Filling: chooses which of the pieces lie on a strip that ends, so that together they are worth as much as the search
+// can achieve.
 //
 //     put down as many of the pieces as fit, the largest first; again, those that are worth most for their area
 //     until the budget is used up, or no trial could raise the value:

@@ -22,8 +22,8 @@ struct Layout {
 
 // The positions that the piece may take: within the strip up to the layout's length, in the room that its rules leave
 // it, and near enough to the other pieces of its shade, where they lie now; those that lie beyond the length do not
-// count.  Empty (high < low) where no position is.  This is the one place that says which positions are allowed: a
-// layout that keeps the rules goes on keeping them as long as single pieces move to such positions.
+// count.  Empty (high < low) when there is no such position.  This is the one place that says which positions are
+// allowed: a layout that keeps the rules goes on keeping them as long as single pieces move to such positions.
 [[nodiscard]] RealBox inner_fit(const PieceSet& set, const Layout& layout, std::size_t piece, std::uint32_t turn);
 // The part of an inner fit that matches the piece to the cloth without changing to another repeat: on an axis on which
 // its match point has to lie where a repeat begins, the one such position nearest to the given place; empty where there

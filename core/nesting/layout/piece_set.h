@@ -51,9 +51,9 @@ struct Kind {
   Coord buffer{};                        // lattice units
   std::optional<std::uint32_t> shade{};  // index of the shade that its pieces belong to
   bool matched{};                        // to the cloth's pattern
-  bool zone{};                           // no piece but a part of the cloth that none may cover (core/marker/rules.h)
-  std::vector<Turned> turned;            // at least one
-  double area{}, hull_area{};            // of the outline and of its convex hull
+  bool zone{};                 // not a piece but a part of the cloth that none may cover (core/marker/rules.h)
+  std::vector<Turned> turned;  // at least one
+  double area{}, hull_area{};  // of the outline and of its convex hull
 };
 
 // Pieces that lie within a length of each other (core/marker/rules.h).
@@ -92,7 +92,7 @@ struct PieceSet {
   // The least signed distance between two pieces with these base outlines: negative when they may overlap, as
   // marker::PlacedPieces::spacing has it, 0 from a zone, and far below 0 when they may share their cloth.
   [[nodiscard]] double clearance(std::uint32_t first, std::uint32_t second) const;
-  // The base outline as another one meets it: a zone that is too bad for a part alone meets that part.
+  // The base outline as another one meets it: a zone that is too bad only for a part meets that part.
   [[nodiscard]] const outline::Outline& facing(std::uint32_t outline, std::uint32_t other) const;
 };
 

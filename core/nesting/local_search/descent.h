@@ -21,7 +21,7 @@ struct Descended {
   double loss{};
 };
 
-// From the position, clamped to `room`, until steps are shorter than `limit` or nothing is lost.
+// Descends from the position, clamped to `room`, until steps are shorter than `limit` or the loss is 0.
 // `loss(x, y, bound)` may return any value of at least `bound` when the loss is not below it.
 template <class Loss>
 [[nodiscard]] Descended descend(const Loss& loss, Position from, const layout::RealBox& room, double step, double limit,

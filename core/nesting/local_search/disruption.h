@@ -8,7 +8,7 @@
 
 namespace selvage::nesting::local_search {
 
-// Large are the largest pieces that together have `large_part` of the area of all convex hulls.  Does nothing when
+// The largest pieces that together have `large_part` of the area of all convex hulls count as large.  Does nothing when
 // fewer than two pieces may move.
 void swap_large_pieces(const layout::PieceSet& set, depth::DepthMaps& maps, double large_part, layout::Dice& dice,
                        layout::Layout& layout);

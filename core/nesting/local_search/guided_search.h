@@ -25,7 +25,7 @@ struct Persistence {
 
 class GuidedSearch {
  public:
-  // `map_bytes`: memory for the sampled maps; an eighth of it in addition is for fields.  REQUIRES: the set outlives
+  // `map_bytes`: memory for the sampled maps; fields take up to an eighth more.  REQUIRES: the set outlives
   // the search.
   GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes, const SearchTuning& tuning);
 
@@ -38,8 +38,8 @@ class GuidedSearch {
   [[nodiscard]] Outcome separate(layout::Layout layout, Persistence persistence, const std::function<bool()>& over);
 
   // Puts the pieces down, largest first, each where it ends leftmost; `kept` pieces stay where the layout has them.
-  // The layout becomes as long as it needs to be.  Pieces that were not put down because it was `over` are beyond the
-  // others' ends.
+  // The layout becomes as long as it needs to be.  Pieces that were not put down because of `over` lie beyond the ends
+  // of the others.
   void build(layout::Layout& layout, const std::vector<bool>& kept, const std::function<bool()>& over);
   // Puts one piece where it ends leftmost without overlapping any of `others`, as far as the sampled maps can tell;
   // false when it fits nowhere within the layout's length.

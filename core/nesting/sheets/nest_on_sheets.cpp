@@ -258,7 +258,7 @@ class Driver {
   int programs_{};
 };
 
-// Of a marker without match sets.
+// Nests the pieces of a marker without match sets.
 Result<SheetNesting> nest_pieces_on_sheets(const Marker& start, std::span<const Sheet> sheets,
                                            const SheetSettings& settings, const scene::Run& run) {
   if (start.pieces.empty() && start.unplaced.empty()) {

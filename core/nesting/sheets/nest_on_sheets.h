@@ -53,7 +53,7 @@ struct SheetNesting {
   scene::StopReason reason{};
 };
 
-// All pieces of the marker are laid, also those that it has placed, wherever that is.
+// All pieces of the marker are laid, including the placed ones, wherever they lie.
 // Errors: kEmptyMarker when it has no piece; kOutOfRange for a piece that is locked in place or belongs to a group
 // (`field` points into the marker), and for a sheet that `bare` refuses (below "/sheets").
 [[nodiscard]] Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets,

@@ -13,7 +13,7 @@
 namespace selvage::nesting::sheets {
 namespace {
 
-// Alone on the sheet, in some orientation.
+// Whether the piece fits on the sheet alone, in some orientation.
 bool fits(const Marker& bare, const Piece& piece, SumCache& sums) {
   Marker alone = bare;
   alone.pieces.clear();
@@ -27,7 +27,7 @@ bool fits(const Marker& bare, const Piece& piece, SumCache& sums) {
   });
 }
 
-// By piece; pieces of one shape without rules are looked at once.
+// By piece; pieces of one shape without rules are tested once.
 std::vector<bool> fitting(const Marker& bare, const std::vector<Piece>& pieces, SumCache& sums) {
   std::map<ShapeId, bool> of_shape;
   std::vector<bool> all;

@@ -46,8 +46,8 @@ struct Filled {
   std::uint64_t moves{};
   int programs{};
 };
-// The sheet with pieces of the present ones and of `more`, worth as much as the search can make it; never less than the
-// present ones.  Those of `more` that fit the sheet by no orientation stay away.
+// The sheet with pieces chosen from the present ones and `more`, worth as much as the search can achieve, and never
+// less than the present ones.  Those of `more` that fit the sheet in no orientation are left out.
 [[nodiscard]] Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vector<std::size_t>& more,
                             const FillTask& task, const scene::Run& run);
 

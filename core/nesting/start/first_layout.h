@@ -1,7 +1,7 @@
 // The valid marker of all pieces that a nesting search starts from, and that it has to beat.
 //
-// Unless pieces have rules, this is a layout on shelves, which needs no search.  Shelves do not always keep bands that
-// end and shades (shelves.h); where they do not, a guided local search looks for a layout that does, on ever longer
+// Unless pieces have rules, this is a layout on shelves, which needs no search.  Shelves do not always keep shades, or
+// bands that end (shelves.h); where they do not, a guided local search looks for a layout that does, on ever longer
 // strips.
 #pragma once
 
@@ -25,7 +25,7 @@ struct FirstLayoutSettings {
   local_search::SearchTuning search{};
 };
 
-// `kept` pieces stay where they are when shelves will do, and only the fixed ones otherwise.
+// `kept` pieces stay where they are when shelves will do; otherwise only the fixed ones do.
 // REQUIRES: those of on_shelves; kept pieces are valid together.
 // Errors: kBeyondLattice as on_shelves; kOutOfRange when no layout was found in which all pieces keep their rules, with
 // the name of a piece that found no room; kStoppedEarly when stopped before.

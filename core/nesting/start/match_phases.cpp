@@ -12,8 +12,8 @@ bool in_set(const Piece& piece) {
   return piece.rules.match && !piece.rules.match_set.empty();
 }
 
-// Of the sets of which no piece is placed: where the match point of the piece with the least room across lies when the
-// piece, as it is turned, is in the lower left corner of its room.
+// Adds the phases of the sets of which no piece is placed: where the match point of the piece with the least room
+// across lies when the piece, as it is turned, is in the lower left corner of its room.
 void add_unplaced(const Marker& marker, Phases& phases) {
   const Phases of_placed = phases;
   std::map<std::string_view, Coord> least;
