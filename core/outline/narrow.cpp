@@ -24,7 +24,7 @@ Edge edge_between(Vec from, Vec to) {
   return {from, to, {d.x / length, d.y / length}, length, geometry::box_of(std::vector<Vec>{from, to})};
 }
 
-// True when the other edge runs beside this one, on the inner side, nowhere as far as `width`.
+// True when the other edge runs beside this one, on the inner side, and is everywhere nearer than `width`.
 bool is_narrow(const Edge& edge, const Edge& other, double width) {
   const double cosine = edge.along.x * other.along.x + edge.along.y * other.along.y;
   if (cosine > kOpposite) return false;

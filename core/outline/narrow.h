@@ -1,6 +1,6 @@
 // Narrow parts of an outline: where two edges that face away from each other run closer together than a given width.
-// With an overlap allowance of that width another piece may lie over all of the part, because moving it out across the
-// part takes no longer translation.
+// With an overlap allowance of that width another piece may lie over all of the part, because a translation no
+// longer than the allowance moves it out across the part.
 // Units: lattice units.
 #pragma once
 
