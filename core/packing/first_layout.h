@@ -8,7 +8,7 @@
 
 namespace selvage::packing {
 
-// One of the two that is valid without being changed; nothing when neither is.
+// The first of the two that is valid without being changed; nothing when neither is.
 [[nodiscard]] std::optional<Marker> rough_layout(const Marker& start);
 
 // The marker, also when it is only nearly valid, or else the row; compacted.  Nothing when the cloth is too short for

@@ -6,7 +6,7 @@
 //
 // Laws.  (1) The answer is that of `contain` but for where the pieces lie: it is found, impossible or undecided when
 // that is.  (2) The pieces keep `clearance`, proved in integers.  (3) None larger than `clearance_bound` is possible.
-// (4) As of `contain`, the cache and threads do not matter.
+// (4) As for `contain`, the cache and threads do not matter.
 #pragma once
 
 #include <optional>

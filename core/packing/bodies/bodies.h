@@ -1,6 +1,6 @@
 // From the pieces of a marker to the bodies of a search, and back.
 //
-// Pieces that are free to move become bodies, those of one group one body together; all others stay where they are and
+// Pieces that are free to move become bodies, those of one group together one body; all others stay where they are and
 // are obstacles.  A piece that is alone, unlocked and whose shape allows it can take other orientations: rotations and
 // flips, with the tilt that it has.  Spacings and buffers are rings grown by a polygon inside the circle of that
 // radius, so that every layout that keeps the spacing keeps the rings.
@@ -44,9 +44,9 @@ inline constexpr std::size_t kMostBodies = 64;       // the bounds of a node gro
 inline constexpr std::size_t kMostWedges = 4 << 20;  // of all rings together: about 400 MB
 
 // The bodies of a marker.  Variants that fit the room nowhere, or break a rule of the piece wherever they lie, are left
-// out; with a body that has none left, the problem has no layout.  That pieces of a shade lie near each other where
-// several of them move, and that pieces are matched to the cloth, is not said to the search: place_leaf refuses what
-// breaks it.
+// out; with a body that has none left, the problem has no layout.  The search is not told that pieces of a shade lie
+// near each other where several of them move, nor that pieces are matched to the cloth: place_leaf refuses layouts that
+// break these rules.
 [[nodiscard]] Bodies bodies_of(const Marker& marker, const Freedom& freedom, const scene::Run& run);
 
 // The marker with its bodies where the leaf has them, rounded to the lattice.

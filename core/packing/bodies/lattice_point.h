@@ -1,5 +1,5 @@
-// Lattice points in narrow places.  A piece between two that nearly touch it may have less room than a unit across, and
-// much along them: most lattice points beside a given one are then no positions, but one farther along is.
+// Lattice points in narrow places.  A piece between two that nearly touch it may have less than a unit of room across,
+// and much along them: most lattice points beside a given one are then not free, but one farther along is.
 // Units: lattice units.
 #pragma once
 

@@ -136,8 +136,7 @@ std::vector<RealVec> snapped_to_lattice(const std::vector<RealVec>& positions) {
   return whole;
 }
 
-// Where a body may lie while the others stay, by the lines of the leaf; by those with the plane and with the bodies
-// that count.
+// Where a body may lie while the others stay, by the leaf's lines between it and the plane, or a body that counts.
 template <class Counts>
 std::vector<cells::HalfPlane> planes_of(const branching::Leaf& leaf, const std::vector<RealVec>& positions,
                                         std::uint32_t body, const Counts& counts) {

@@ -55,9 +55,9 @@ class Relaxation {
 
   // The node of all layouts not longer than the ceiling; nothing when there are none.
   [[nodiscard]] std::optional<Node> root(double ceiling);
-  // The same of those in a vicinity.
+  // The same for those in a vicinity.
   [[nodiscard]] std::optional<Node> root_in(const Vicinity& vicinity, double ceiling);
-  // The four ways to go on.  False, or nothing, when no layout is left.
+  // The ways to go on.  False when no layout is left.
   [[nodiscard]] bool decide(Node& node, std::uint32_t body, std::uint32_t variant);
   [[nodiscard]] bool keep_arc(Node& node, std::size_t ring, Arc arc);
   [[nodiscard]] bool limit_length(Node& node);
@@ -66,12 +66,12 @@ class Relaxation {
 
   // After one of these has found that no layout is left: the decisions from which that follows.
   [[nodiscard]] Reasons conflict() const { return conflict_; }
-  // How often a look at the ring has found that, plus a part of how often looks at the other rings of the two bodies
-  // have, those in other orientations included.
+  // How often a look at the ring has found that no layout is left, plus a part of how often looks at the other rings of
+  // the two bodies have, those in other orientations included.
   [[nodiscard]] double conflicts(const RingState& ring) const;
   [[nodiscard]] const Conflicts& all_conflicts() const { return conflicts_; }
   void learn(const Conflicts& conflicts) { conflicts_ = conflicts; }
-  // Decisions count from this node on: what is known at it holds anyway.
+  // Decisions count from this node on: what is known at it holds unconditionally.
   void begin_at(Node& node);
 
   // Layouts longer than this do not count any more.
@@ -138,7 +138,7 @@ class Relaxation {
   Columns columns_;
   double ceiling_{};
   Reasons conflict_{};
-  std::vector<RealBox> wide_;  // where the bodies can be anyway; none before the first node
+  std::vector<RealBox> wide_;  // where the bodies can be, unconditionally; none before the first node
   std::vector<HalfPlane> hulls_;
   std::vector<RealVec> points_;     // of the cells last gathered
   std::vector<HalfPlane> chords_;   // of the box in which they lie
@@ -150,7 +150,7 @@ class Relaxation {
   ChordSums on_lines_;  // of the node and the lines last looked at
   Conflicts conflicts_;
   std::vector<Node> spare_;  // nodes that were given back
-  Ranges ranges_;            // of the node last proved something of
+  Ranges ranges_;            // of the node that something was last proved about
   Work work_;
 };
 

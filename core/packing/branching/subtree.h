@@ -29,8 +29,8 @@ class Subtree {
   // The subtree below one node.  The problem must outlive this.
   Subtree(const Problem& problem, const BranchTuning& tuning, Node node, double ceiling);
 
-  // Explores at most so many nodes.  Where the length is minimised, a placed leaf lowers the ceiling to `gap` below its
-  // length; otherwise the exploration stops there.
+  // Explores at most this many nodes.  Where the length is minimised, a placed leaf lowers the ceiling to `gap` below
+  // its length; otherwise the exploration stops there.
   void explore(std::uint64_t nodes, double gap, const PlaceLeaf& place_leaf, const std::stop_token& stop);
   void lower_ceiling(double ceiling);
   [[nodiscard]] const Conflicts& conflicts() const { return relaxation_.all_conflicts(); }
@@ -40,8 +40,8 @@ class Subtree {
   [[nodiscard]] std::uint64_t explored() const { return explored_; }  // nodes so far
   // No layout that is still to be found in it is shorter; infinite when done.
   [[nodiscard]] double bound() const;
-  // The least length of a leaf that was not placed, or was placed to be longer than the gap; infinite when there is
-  // none.  Layouts of about this length are neither found nor ruled out.
+  // The least length of a leaf that was not placed, or became longer by more than the gap when it was placed; infinite
+  // when there is none.  Layouts of about this length are neither found nor ruled out.
   [[nodiscard]] double undecided() const { return undecided_; }
   // The placed leaves since the last call.
   [[nodiscard]] std::vector<Leaf> take_leaves() { return std::move(leaves_); }
@@ -54,8 +54,8 @@ class Subtree {
  private:
   // True when a layout is found that ends the exploration.
   [[nodiscard]] bool expand(const Node& node, double gap, const PlaceLeaf& place_leaf);
-  // The node taken last, so deep, has no layout that is still of interest.  Nor has its parent when that does not
-  // depend on the decision between the two, or when it was the last child; and so on upwards [Pro93].
+  // The node taken last, which is at this depth, has no layout that is still of interest.  Nor has its parent when that
+  // does not depend on the decision between the two, or when it was the last child; and so on upwards [Pro93].
   void close(std::size_t depth, Reasons conflict);
   [[nodiscard]] bool record(const Node& node, double gap, const PlaceLeaf& place_leaf);
 

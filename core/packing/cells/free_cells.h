@@ -3,7 +3,7 @@
 // grid does.
 //
 // A cell is excluded if one of the rings holds it, with more units around it than the ring's corners are rounded by
-// (wedge_ring.h).  So every lattice position in it is forbidden for sure.
+// (wedge_ring.h).  So every lattice position in it is certainly forbidden.
 // Units: lattice units.
 #pragma once
 
@@ -20,8 +20,8 @@ class FreeCells {
   explicit FreeCells(const RealBox& range);
   // Excludes the cells inside the ring.
   void exclude(const WedgeRing& ring);
-  // A box that holds all lattice positions in `box` whose cells are free: not more than `box`, and nothing when all are
-  // excluded.  REQUIRES: `box` has whole ends and lies in the range.
+  // A box that holds all lattice positions in `box` whose cells are free: no larger than `box`, and nothing when all
+  // are excluded.  REQUIRES: `box` has whole ends and lies in the range.
   [[nodiscard]] std::optional<RealBox> within(const RealBox& box) const;
 
  private:

@@ -60,7 +60,7 @@ struct Arc {
 
 class WedgeRing {
  public:
-  // The sum in the frame of its obstacle, moved by `offset`.  REQUIRES: at least three edges of more than no length.
+  // The sum in the frame of its obstacle, moved by `offset`.  REQUIRES: at least three edges of positive length.
   WedgeRing(const minkowski::convolution::StarSum& sum, const minkowski::Obstacle& obstacle, Vec offset);
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(wedges_.size()); }
@@ -69,7 +69,7 @@ class WedgeRing {
   [[nodiscard]] RealVec centre() const { return centre_; }
   // Sets `cell` to the part of the box in a wedge.  False when there is none.
   [[nodiscard]] bool clip(std::uint32_t wedge, const RealBox& box, Cell& cell) const;
-  // Whether the part of `box` in a wedge lies in `part` for sure, a part of the box: cheaper than clipping.
+  // Whether the part of `box` in a wedge certainly lies in `part`, which is a part of the box: cheaper than clipping.
   [[nodiscard]] bool lies_within(std::uint32_t wedge, const RealBox& box, const RealBox& part) const;
   // Whether a wedge certainly lies in all the half-planes.  False, too, if the centre lies inside one of them.
   [[nodiscard]] bool lies_within(std::uint32_t wedge, std::span<const HalfPlane> planes) const;
@@ -83,7 +83,7 @@ class WedgeRing {
   [[nodiscard]] std::uint32_t facing(RealVec p) const;
   // How far the point lies inside the wedge's line, beyond the slack; negative outside.
   [[nodiscard]] double depth(std::uint32_t wedge, RealVec p) const { return -wedges_[wedge].beyond.room(p); }
-  // Whether the point is outside of the ring for sure.
+  // Whether the point is certainly outside of the ring.
   [[nodiscard]] bool is_free(RealVec p) const { return is_beside(p) || depth(facing(p), p) <= 0; }
   // Whether the point lies outside of the ring's box.
   [[nodiscard]] bool is_beside(RealVec p) const { return cells::is_beside(box_, p); }

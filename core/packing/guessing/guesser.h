@@ -32,8 +32,8 @@ class Guesser {
   // REQUIRES: every body has a variant.  The problem must outlive this.
   explicit Guesser(const Problem& problem);
 
-  // The layout of the next iterations that overlaps least: of at most so many moves, but for the last iteration, or
-  // until nothing has been gained for a while; then the next call begins anew.  `moves` is reduced by those made.
+  // Iterates until `moves` are made, the last iteration being completed, or until nothing has been gained for a while;
+  // then the next call begins anew.  Returns the layout that overlapped least; `moves` is reduced by those made.
   [[nodiscard]] Guess next(std::int64_t& moves, const std::stop_token& stop);
 
  private:
@@ -79,7 +79,7 @@ class Guesser {
   double least_{};                     // of the sums of overlaps since the start
   int idle_{};                         // iterations since the last gain
   bool fresh_{true};                   // the next guess begins anew
-  std::mt19937_64 random_;             // as the standard begins it: guesses are the same for the same problem
+  std::mt19937_64 random_;             // with the default seed: guesses are the same for the same problem
 };
 
 }  // namespace selvage::packing::guessing

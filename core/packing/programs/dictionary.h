@@ -53,7 +53,7 @@ class Dictionary {
     double value{};
   };
 
-  // No rows.  With `minimises_length` the cost is the length, with a trace of the other columns.
+  // Begins without rows.  With `minimises_length` the cost is the length, with a trace of the other columns.
   Dictionary(const Columns& columns, bool minimises_length);
 
   void add(const Columns& columns, const Row& row);
@@ -63,7 +63,7 @@ class Dictionary {
                           double tolerance = kUsualTolerance);
   // Drops the rows with more room than `room`, in lattice units, but keeps those of the length.
   void drop_slack_rows(const Columns& columns, double room);
-  // Makes all rows hold anyway.
+  // Makes all rows hold unconditionally.
   void forget_why();
 
   [[nodiscard]] RealVec position(const Columns& columns, std::size_t body) const {
@@ -80,7 +80,7 @@ class Dictionary {
   [[nodiscard]] std::vector<Multiplier> refuting() const;
 
  private:
-  // A variable: column `index` of the program when it is no slack; otherwise the slack of `row`.
+  // A variable: the column of the program or, when there is none, the slack of `row`.
   struct Variable {
     std::int32_t column{-1};  // -1: a slack
     Row row{};

@@ -36,7 +36,7 @@ class DifferenceBounds {
   // `bound` is above `upper(a, b)`, which is as it was.
   // REQUIRES: `bound` is whole.
   [[nodiscard]] bool raise(std::size_t a, std::size_t b, double bound, Reasons why = kUnconditional);
-  // Makes everything that is known hold anyway.
+  // Makes everything that is known hold unconditionally.
   void forget_why() { std::fill(why_.begin(), why_.end(), kUnconditional); }
 
  private:

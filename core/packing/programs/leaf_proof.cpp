@@ -45,7 +45,7 @@ class Combination {
     sizes_[body].x += std::abs(x);
     sizes_[body].y += std::abs(y);
   }
-  // Ranges are widened to what holds anyway while the value stays below the limit, the cheapest first.
+  // Ranges are widened to what holds unconditionally while the value stays below the limit, the cheapest first.
   [[nodiscard]] Reasons why_with(double length_factor, double limit) const {
     struct Side {
       double loss;

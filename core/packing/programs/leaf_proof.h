@@ -24,8 +24,8 @@ struct Ranges {
   };
   std::vector<RealBox> bodies;
   double low_length{}, high_length{};
-  std::vector<Why> why{};           // of the bodies' ranges; none: anyway
-  std::span<const RealBox> wide{};  // where the bodies can be anyway; as many as `why`
+  std::vector<Why> why{};           // of the bodies' ranges; empty: they hold unconditionally
+  std::span<const RealBox> wide{};  // where the bodies can be, unconditionally; as many as `why`
 };
 
 // The rows have no common solution within the ranges.

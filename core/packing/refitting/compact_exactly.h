@@ -9,7 +9,7 @@
 //
 // Windows in front of locked pieces or groups are left out, and so are those without a piece of `among`.
 //
-// Laws.  As of fill_gaps, but that unplaced pieces stay unplaced.
+// Laws.  As for fill_gaps, except that unplaced pieces stay unplaced.
 #pragma once
 
 #include <cstdint>
