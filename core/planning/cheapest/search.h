@@ -29,7 +29,7 @@ struct SearchSettings {
 };
 
 struct SearchResult {
-  std::optional<Cutting> cutting;  // none: no cutting delivers what is ordered, or the run was stopped before there was
+  std::optional<Cutting> cutting;  // none: no cutting delivers what is ordered, or the run was stopped too early
   double bound{};                  // of the cost of every cutting at these lengths
   bool infeasible{};               // proved: there is no cutting
   int fewest_markers{1};           // no cutting that is cheaper than the bound has fewer

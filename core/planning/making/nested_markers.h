@@ -32,8 +32,8 @@ class MadeMarkers {
   MadeMarkers(const Garments& garments, Arrange arrange, const scene::Run& run)
       : garments_{garments}, arrange_{std::move(arrange)}, run_{run} {}
 
-  // The length of the marker of this ratio, in millimetres; none when it cannot be made, or the run was stopped.  Any
-  // thread.
+  // The length of the marker of this ratio, in millimetres; none when it cannot be made, or the run was stopped.  May
+  // be called on any thread.
   [[nodiscard]] std::optional<double> make(const orders::Ratio& ratio);
   // The marker; null when it was not made.
   [[nodiscard]] const Marker* find(const orders::Ratio& ratio) const;

@@ -1,9 +1,9 @@
 // How long a marker will be that has not been made yet: length = a * (area of its pieces / width) + b.
 //
-// `a` is what the gaps between the pieces add, `b` what the two ragged ends cost whatever the marker holds; it is why
-// markers of many bundles take less cloth a garment.  Both are fitted to the markers that were made, from a first guess
-// that they correct as they become more.  The guess is itself corrected by stored markers of similar garments, where
-// there are any: each says a ninth of what a made one does, because its pieces and the care taken with it differ.
+// `a` is what the gaps between the pieces add, `b` what the two ragged ends cost whatever the marker holds, which is
+// why markers of many bundles take less cloth per garment.  Both are fitted to the markers that were made, from a first
+// guess that they correct as they become more.  The guess is itself corrected by stored markers of similar garments,
+// where there are any: each says a ninth of what a made one does, because its pieces and the care taken with it differ.
 // Units: millimetres.
 #pragma once
 

@@ -11,8 +11,8 @@
 //             sum over r of colour c of w[a][r] <= x[a][c],   sum over a of length[a] w[a][r] <= length of r
 //             sum of z[a] >= the fewest markers that a cutting is known to have
 //             sum of y[a] >= the lays that as many full bundles need as the order has garments
-// Departs from the thesis: it minimises cost, where the thesis maximises the sum of efficiencies, and it has colours,
-// lays and fixed charges.  A marker without plies costs nothing, so the columns z are needed only when a marker costs.
+// This departs from the thesis, which maximises the sum of efficiencies: it minimises cost, and has colours, lays and
+// fixed charges.  A marker without plies costs nothing, so the columns z are needed only when a marker costs.
 #pragma once
 
 #include <span>

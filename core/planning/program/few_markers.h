@@ -10,7 +10,7 @@
 // ratios: in the projection, the ray of the last ratio must meet the box of every colour.  Two colours rarely have such
 // a ray in common, and then all sets of these markers and another one are excluded at once.  The few sets that remain
 // are decided by trying all units, within bounds.
-// Units: as of cutting.h.
+// Units: as in cutting.h.
 #pragma once
 
 #include <cstdint>
