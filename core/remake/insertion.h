@@ -14,10 +14,10 @@ namespace selvage::remake {
 // Where pieces belong, by their ids; others go as far left as they can.
 using Homes = std::map<std::string, Piece>;
 
-// Puts all unplaced pieces down, in the orientation, of those that their shapes allow, that needs the shorter marker
-// and then the shorter way.  Returns how many were put within the length that the marker had; pieces for which there is
-// no position at all, or that were left when cancelled, stay unplaced. REQUIRES: the placed pieces are valid.  Laws.
-// (1) They stay where they are, and the marker stays valid.
+// Puts all unplaced pieces down, each in the allowed orientation that needs the shortest marker and, of these, the
+// shortest way.  Returns how many were put within the length that the marker had; pieces for which there is no position
+// at all, or that were left when cancelled, stay unplaced. REQUIRES: the placed pieces are valid.  Law: the placed
+// pieces stay where they are, and the marker stays valid.
 [[nodiscard]] std::size_t insert_unplaced(Marker& marker, const Homes& homes, const scene::Run& run);
 
 }  // namespace selvage::remake

@@ -69,7 +69,7 @@ class OverlapRemover {
     return true;
   }
 
-  // What the search leaves overlaps by so little that linear programs repair it.
+  // The search leaves overlaps so small that linear programs repair them.
   std::optional<Marker> repaired(Marker marker) {
     if (compact(marker)) return marker;
     auto popping = apart_by_popping(marker, tuning_.first_pops, tuning_, run_);

@@ -71,7 +71,7 @@ class Trying {
          const scene::Run& run)
       : order_{order}, candidates_{candidates}, settings_{settings}, run_{run}, progress_{run.observer} {}
 
-  // In the sequence of the candidates.
+  // The attempts, in the sequence of the candidates.
   std::vector<Attempt> attempts() {
     drafts_.resize(candidates_.size());
     if (!drafts_.empty()) {

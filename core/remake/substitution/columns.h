@@ -1,5 +1,5 @@
 // Columns: pieces that lie on top of each other across the strip.  Where they have become taller than the strip is
-// wide, no translation parts them: this is why most substitutions fail that fail
+// wide, no translation parts them: this is why most of the failing substitutions fail
 // (docs/measurements/searches/remaking.md).
 //
 // Outlines are sampled along x.  A piece must lie above those that it lies above now by as much as their outlines

@@ -136,7 +136,7 @@ class Substituting {
     return static_cast<double>(box_of(seat.placed).height());
   }
 
-  // The swap of a piece of the tallest column that helps most.  False when none does.
+  // Makes the swap of a piece of the tallest column that helps most.  False when none does.
   bool relieve(Columns::Excess& excess) {
     std::optional<std::pair<Seated, Seated>> best;
     std::pair<std::size_t, std::size_t> best_seats;

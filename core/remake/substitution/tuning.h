@@ -35,8 +35,8 @@ struct RemakeTuning {
   // The guided local search, when linear programs cannot part the pieces.  Pieces that are larger than the stored ones
   // never come apart in the marker's own length, and finding that out costs more than all that follows.
   double first_growth{0.03};    // part of its length by which the marker grows before the first search,
-  double search_growth{0.015};  // and before each of the others, unless no more overlaps are left than this loss: then
-  double few_overlaps{0.2};     // the marker becomes longer by them at the piece that overlaps most;
+  double search_growth{0.015};  // and before each of the others, unless the one before has left a loss of at most
+  double few_overlaps{0.2};     // this: then the marker becomes longer by that loss, at the piece that overlaps most;
   int searches{12};             // this many at most
   std::size_t search_patience{60}, search_strikes{1};
   // Afterwards:
@@ -49,8 +49,8 @@ struct RemakeTuning {
   // Work is moves times pieces, because a move takes longer the more pieces there are.  A search that would have fewer
   // moves than pieces is left out.
   std::uint64_t moves_per_piece{40}, work{400'000}, short_work{100'000};
-  std::uint64_t fine_factor{4};      // with `fine`, so many times the moves
-  std::uint64_t untilted_factor{2};  // where no piece may tilt, so many times `moves_per_piece`: tilts take as long
+  std::uint64_t fine_factor{4};      // with `fine`, this many times the moves
+  std::uint64_t untilted_factor{2};  // where no piece may tilt, this many times `moves_per_piece`: tilts take as long
   std::uint64_t fewest_pieces{25};   // orders of fewer are searched as if they had as many
   std::size_t bold_patience{20};     // nesting::NestTuning::bold_patience of this search
   double first_step{0.01};           // part of its length by which this search shortens the marker at first
