@@ -1,7 +1,7 @@
 // The work that a search may do, and the rule that ends a search that no longer gains.
 //
-// Gains of a local search grow about with the logarithm of the work: what the last nine tenths of the work have gained,
-// nine times as much further work will hardly exceed.  A search is therefore ended when the last nine tenths of its
+// Gains of a local search grow roughly with the logarithm of the work: nine times as much further work will hardly gain
+// more than the last nine tenths of the work have gained.  A search is therefore ended when the last nine tenths of its
 // work brought no more than a tenth of all that it has gained, once it has done its least work.  A search that has
 // gained nothing ends after a third of that.
 // Units: work is the number of pieces, summed over all programs solved; lengths are in lattice units.

@@ -21,9 +21,9 @@ struct SwapTuning {
 };
 
 struct RenestingTuning {
-  std::uint64_t moves{100};  // of nesting, for each piece; with a limit in time there are as many as come before
-  double until{0.7};         // this part of it, as long as those have gained more
-  double least_gain{1e-5};   // than this part of the length: else swaps get its time
+  std::uint64_t moves{100};  // of nesting, for each piece; with a limit in time, it goes on after these
+  double until{0.7};         // until this part of the time is used up, while as many more moves gain more
+  double least_gain{1e-5};   // than this part of the length: otherwise swaps get its time
   double work_of_move{6};    // in pieces of a program, as effort counts
   friend bool operator==(const RenestingTuning&, const RenestingTuning&) = default;
 };
