@@ -10,7 +10,7 @@
 namespace selvage::server::dispatch {
 
 struct WorkQueues {
-  // `workers`: for motions.  With 0, no queue has workers and everything is executed inline.  REQUIRES:  `clock`
+  // `workers`: for motions.  With 0, no queue has workers and everything is executed inline.  REQUIRES: `clock`
   // outlives the queues.
   WorkQueues(std::size_t workers, const calls::Limits& limits, const jobs::DeadlineClock& clock);
 

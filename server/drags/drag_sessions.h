@@ -62,7 +62,7 @@ class DragSessions {
   void execute_waiting_move(Drag& drag, const std::stop_token& stop);
   // Ends a drag whose connection has ended.
   void abandon(const std::string& id);
-  // The functions below REQUIRE that the caller holds the mutex: so that notifications are sent in the order of the
+  // The functions below REQUIRE that the caller holds the mutex, so that notifications are sent in the order of the
   // events that they report.
   void notify_watchers(const Drag& drag) const;
   [[nodiscard]] std::string dragged_message(const std::string& marker, std::uint64_t session) const;

@@ -16,10 +16,11 @@ class Lateness {
   // slice, up to 4 ms.
   static constexpr std::chrono::microseconds kLate{500};
   // A late wake-up counts for three seconds, or until this many wake-ups in a row were punctual.  A few calls are late
-  // before it counts: they must be less than a hundredth of those that follow.
+  // before it counts: they must be fewer than a hundredth of those that follow.
   static constexpr std::chrono::seconds kLately{3};
   static constexpr std::int64_t kPunctual = 1000;
-  // Threads are late often if two wake-ups are that are no farther apart than this, and than kLately.
+  // Threads are late often if two late wake-ups have fewer than this many punctual ones between them, and are less than
+  // kLately apart.
   static constexpr std::int64_t kNear = 200;
 
   // A thread has begun to run at `now`, punctually or not.

@@ -29,23 +29,23 @@ enum class RealTime {
 // With a real-time priority it interrupts at once every thread that has none, for a share of its time: of 100 ms, 60 if
 // it comes first, 30 if it comes soon and 10 if it comes next, or half of that where there is one processor
 // (real_time_share.h).  Threads that it starts later have none.  While processors are idle, calls are answered sooner
-// without: Linux wakes such a thread on another processor than the thread that wakes it, and an idle processor takes
-// some time to wake up.
+// without one: Linux wakes such a thread on another processor than the thread that wakes it, and an idle processor
+// takes some time to wake up.
 //
-// Without, and when it has had its share, it asks for short time slices: from 6.12 on, Linux interrupts threads with
-// longer ones for it, unless it has just had its share of the processor, or others wait as well.  That share stays what
-// it was.  Older kernels, and systems that forbid the call, go on as before, where it may have to wait for the end of
-// another thread's slice, which takes some milliseconds.
+// Without a real-time priority, and when it has had its share, it asks for short time slices: from 6.12 on, Linux
+// interrupts threads with longer ones for it, unless it has just had its share of the processor, or others wait as
+// well.  Short slices do not change that share.  On older kernels, and on systems that forbid the call, it may still
+// have to wait for the end of another thread's slice, which takes some milliseconds.
 void run_promptly(Promptness how);
 
 // The calling thread has woken up for work that it was given so long ago, when it waited for nothing else.  It is late
 // if that took Lateness::kLate or more, while more threads wanted to run than there are processors.  With
-// RealTime::kWhenLate a thread of run_promptly() gains or loses its priority here; of others it is only recorded
-// whether they were late.
+// RealTime::kWhenLate a thread of run_promptly() gains or loses its priority here; for other threads it is only
+// recorded whether they were late.
 void woke_up_after(std::chrono::steady_clock::duration waited);
 
 // From now on the calling thread, and those that it starts, have a third of the share in a busy processor that others
-// have: so these have rarely had theirs when they wake up.
+// have, so the others have rarely used up theirs when they wake up.
 void give_way();
 
 // The real-time priority of the thread with this id, 1 or more; 0: the calling one.  Returns 0 if it has none.

@@ -22,8 +22,9 @@ class RealTimeShare {
  public:
   static constexpr std::chrono::milliseconds kPeriod{100};
 
-  // Of the calling thread, from now on; outside its share it is scheduled as it is now.  Threads that it starts have no
-  // such priority.  Returns null, and changes nothing, if the kernel refuses the priority or a timer.
+  // Gives the priority to the calling thread, from now on; outside its share it is scheduled as it is now.  Threads
+  // that it starts have no such priority.  Returns null, and changes nothing, if the kernel refuses the priority or a
+  // timer.
   // REQUIRES: destroyed on the same thread, which takes the priority away.
   [[nodiscard]] static std::unique_ptr<RealTimeShare> begin(unsigned priority, std::chrono::milliseconds share);
 
@@ -32,7 +33,7 @@ class RealTimeShare {
   RealTimeShare& operator=(const RealTimeShare&) = delete;
 
  private:
-  // Sends the thread that created it the signal, once after a time of `clock`.
+  // Sends the signal to the thread that created it, once, when a time of `clock` has passed.
   class Timer {
    public:
     explicit Timer(clockid_t clock);

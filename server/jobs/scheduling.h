@@ -18,10 +18,10 @@ static_assert(sizeof(Scheduling) == 48);
 
 // What sched_getattr(2) reads and sched_setattr(2) writes.  Signal handlers may call both functions.
 //
-// Of the thread with this id; 0: the calling one.  Returns false if the kernel refuses.
+// Reads that of the thread with this id; 0: the calling one.  Returns false if the kernel refuses.
 [[nodiscard]] bool read_scheduling(int thread, Scheduling& scheduling);
 
-// Of the calling thread.  Returns false, and changes nothing, if the kernel refuses.
+// Writes that of the calling thread.  Returns false, and changes nothing, if the kernel refuses.
 [[nodiscard]] bool write_scheduling(Scheduling scheduling);
 
 // Whether more threads of the whole machine run, or could run, than there are processors for this program.  Where the

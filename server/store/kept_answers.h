@@ -1,6 +1,6 @@
 // The last answers to calls that carried an `opId`, so that a retry gets the same answer and nothing is done twice.
 //
-// There are at most kMost answers of at most kMaxBytes together.  Forgotten first is the oldest answer of the
+// There are at most kMost answers of at most kMaxBytes together.  The first to be forgotten is the oldest answer of the
 // connection with the most answers, among the connections of the address with the most answers.  So no client can
 // displace the answers to a client that has fewer, whether it keeps one connection or opens a new one for every call.
 #pragma once
