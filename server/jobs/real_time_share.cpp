@@ -43,7 +43,7 @@ Scheduling with_priority(Scheduling scheduling, unsigned priority) {
   return scheduling;
 }
 
-// What the signal is about.  Also where somebody else has sent it, or its timer has been deleted meanwhile.
+// The share that a signal is about, even if somebody else has sent it, or its timer has been deleted meanwhile.
 thread_local RealTimeShare* share_of_this_thread = nullptr;
 
 }  // namespace
