@@ -1,6 +1,6 @@
 // The JSON Schema of marker documents, protocol/marker.schema.json, as schemas of the description.  The marker itself
 // becomes MarkerDocument, its definitions become PieceDocument, ShapeDocument and so on, and definitions that are not
-// objects keep their names:  Id, Point, Outline.
+// objects keep their names: Id, Point, Outline.
 #pragma once
 
 #include <string>

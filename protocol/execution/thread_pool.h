@@ -1,8 +1,8 @@
-// A thread pool: the threads that call each(), and pool threads that all callers share.
+// A thread pool: the threads that call for_each(), and pool threads that all callers share.
 //
 // A caller executes parts itself and waits only for parts that a pool thread has already started.  So it always makes
 // progress, whatever other callers and the pool threads do.  A pool thread takes a part only if a core is free for it,
-// which is checked before every part.  Parts may call each() again.
+// which is checked before every part.  Parts may call for_each() again.
 #pragma once
 
 #include <condition_variable>
@@ -26,7 +26,7 @@ class ThreadPool final : public Executor {
 
   explicit ThreadPool(std::size_t helpers);  // all of them, always
   ThreadPool(std::size_t helpers, Spare spare);
-  ~ThreadPool() override;  // REQUIRES: nobody calls each() any more
+  ~ThreadPool() override;  // REQUIRES: nobody calls for_each() any more
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
@@ -35,7 +35,7 @@ class ThreadPool final : public Executor {
   void for_each(std::size_t count, const Part& part) const override;
 
  private:
-  // The parts of one call of each(), which owns it.
+  // The parts of one call of for_each(), which owns it.
   struct Task {
     const Part& part;
     const std::size_t count;

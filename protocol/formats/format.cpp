@@ -45,7 +45,7 @@ Result<std::string> write_marker(const MarkerFile& file, Format format) {
 
 namespace {
 
-// The file with another distance for the whole marker; `rounding`:  "rounded up" or "rounded down".
+// The file with another distance for the whole marker; `rounding`: "rounded up" or "rounded down".
 Result<MarkerFile> with_distance(MarkerFile file, Coord Marker::*distance, double value, const std::string& field,
                                  Coord (*on_lattice)(double, Resolution), const char* rounding) {
   const Resolution resolution = file.marker.resolution;

@@ -43,8 +43,9 @@ class Json {
   Json(std::string value);
   Json(std::string_view value);
   Json(const char* value);
-  // NOLINTEND(google-explicit-constructor) An object if every part is a pair of a text and a value, otherwise an
-  // array.
+  // NOLINTEND(google-explicit-constructor)
+
+  // An object if every part is a pair of a text and a value, otherwise an array.
   Json(Parts parts);
   Json(const Json& other);
   Json(Json&& other) noexcept : kind_{other.kind_}, held_{other.held_} { other.kind_ = Kind::kNull; }

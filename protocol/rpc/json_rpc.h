@@ -76,7 +76,7 @@ struct Incoming {
 [[nodiscard]] Json notification(std::string_view method, Json params);
 
 // An Error of the core or the codec as a JSON-RPC error, with its own code, name and field in `data`: {"code": 1102,
-// "name":  "shape.zero_area", "field":  "/marker/shapes/0/outline"}.
+// "name": "shape.zero_area", "field": "/marker/shapes/0/outline"}.
 [[nodiscard]] RpcError rpc_error(const Error& error, RpcCode code = RpcCode::kInvalidParams);
 
 }  // namespace selvage::protocol::rpc

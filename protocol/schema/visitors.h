@@ -34,7 +34,7 @@ namespace selvage::protocol::schema {
 // Reads the fields of a JSON object.
 class Decoder {
  public:
-  // REQUIRES: as of json::Fields.
+  // REQUIRES: as for json::Fields.
   Decoder(const Json& value, std::string at, json::Mistake& mistake)
       : fields_{value, std::move(at), mistake}, mistake_{mistake} {}
 

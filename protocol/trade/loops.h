@@ -26,7 +26,7 @@ struct Run {
 
 struct Loop {
   std::vector<document::Spot> points;  // the first is not repeated at the end
-  std::vector<Edge> edges;             // as of a run
+  std::vector<Edge> edges;             // as in a run
   std::size_t line{};
   std::size_t runs{1};  // of which it was joined
 };

@@ -53,7 +53,7 @@ struct NestResult {
   }
 };
 
-// With a limit in time, threads that are to spare make the marker shorter and take nothing from the first search.
+// With a limit in time, spare threads make the marker shorter and take nothing from the first search.
 std::size_t searches_of(const NestParams& params, const nesting::NestSettings& settings, const Executor& executor) {
   constexpr std::size_t kMostUnasked = 16;
   if (params.searches) return *params.searches;

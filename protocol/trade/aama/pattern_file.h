@@ -1,4 +1,4 @@
-// Pattern files:  AAMA/ASTM D6673 DXF, as written by six programs whose files were examined.
+// Pattern files: AAMA/ASTM D6673 DXF, as written by six programs whose files were examined.
 //
 // The unit is the caller's, otherwise that of the text "Units:", otherwise $INSUNITS; without any the file is refused.
 // A piece's outline is the largest closed loop of layer 1, a half piece is unfolded about its mirror line, and every

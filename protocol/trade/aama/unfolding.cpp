@@ -11,9 +11,9 @@
 namespace selvage::protocol::trade::aama {
 namespace {
 
-constexpr double kOnMirrorLine = 0.1;  // a vertex so near lies on it
-constexpr double kMostBeyond = 1;      // beyond it, so far, an outline is drawn inaccurately
-constexpr double kLeastOpening = 1;    // square millimetres; smaller ones come from rounding
+constexpr double kOnMirrorLine = 0.1;  // millimetres: a vertex this near lies on it
+constexpr double kMostBeyond = 1;    // millimetres beyond it: an outline that reaches no farther is drawn inaccurately
+constexpr double kLeastOpening = 1;  // square millimetres; smaller ones come from rounding
 
 using Line = std::pair<Spot, Spot>;
 

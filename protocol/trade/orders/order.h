@@ -5,8 +5,9 @@
 //         "shrinkage": {"SHL": {"length": 3, "width": 1.5}}}
 // CSV:   colour,S,M      or with sizes in the rows, or as a list of colours, sizes and quantities (order_table.h)
 //        red,10,20
-// `ratio` says how many bundles of each size the marker holds; without it the sums of the quantities over all colours,
-// divided by their greatest common divisor.  Units: millimetres; shrinkage in per cent of the cloth's length and width.
+// `ratio` says how many bundles of each size the marker holds; without it, they are the sums of the quantities over all
+// colours, divided by their greatest common divisor.  Units: millimetres; shrinkage in per cent of the cloth's length
+// and width.
 #pragma once
 
 #include <map>

@@ -22,7 +22,7 @@ struct RuleTable {
 };
 
 // Numbers may be separated by commas, semicolons, blanks and line ends.  A comma is a decimal comma, with a note, when
-// every rule then has as many numbers as the sizes need, and some rule has not with commas as separators.  Lines that
+// every rule then has as many numbers as the sizes need, and some rule does not if commas are separators.  Lines that
 // begin with ; # * or // are comments.
 // Errors: kUnknownFormat (no list of sizes), kSyntax (a rule without a number, or with too few or too many), with the
 // line.

@@ -88,7 +88,7 @@ class PatternMaker {
       const NestedLoop* around = around_of(outlines_, run.points);
       // The bracket of a fold begins and ends on the edge of its piece.
       if (!around && drawn.fold) around = around_of(outlines_, {run.points[run.points.size() / 2]});
-      // A mark on the edge lies in the piece with a part of it.
+      // A mark on the edge belongs to the piece that a part of it lies in.
       for (std::size_t k = 0; drawn.used && !around && k < run.points.size(); ++k) {
         around = around_of(outlines_, {run.points[k]});
       }

@@ -3,7 +3,7 @@
 // By the standard every block is a piece, and ENTITIES inserts it.  Some writers build a piece of several blocks, or
 // collect all pieces of a style in one block.  A block that has neither an outline nor a Piece Name of its own and
 // inserts pieces only collects them; any other block is a piece with all that it inserts, and a block that is inserted
-// in a piece alone is a part of it.
+// only in a piece is a part of it.
 #pragma once
 
 #include <string>

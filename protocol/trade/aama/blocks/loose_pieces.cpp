@@ -50,7 +50,7 @@ std::vector<Spot> points_of(const dxf::Entity& entity) {
   return points;
 }
 
-// The keys that say something of one piece, not of the style.
+// The keys that say something about one piece, not about the style.
 bool is_of_piece(const std::string& key) {
   constexpr std::array<std::string_view, 11> kKeys{"PIECE NAME", "SIZE",     "SIZE NAME", "QUANTITY",
                                                    "ANNOTATION", "CATEGORY", "MATERIAL",  "ROTATION",

@@ -12,8 +12,8 @@
 
 namespace selvage::protocol::trade::aama::blocks {
 
-// As if each piece had been a block, in the order of the file; `millimetre` is one in the file's unit.  Empty if no
-// line is drawn on layer 1.  Oddities are noted in `reading`.
+// Reads them as if each piece were a block, in the order of the file; `millimetre` is one in the file's unit.  Empty if
+// no line is drawn on layer 1.  Oddities are noted in `reading`.
 [[nodiscard]] std::vector<PatternBlock> read_loose_pieces(const dxf::DxfDrawing& drawing, double millimetre,
                                                           BlockReading& reading);
 

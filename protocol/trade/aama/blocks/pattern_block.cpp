@@ -87,7 +87,7 @@ class BlockReader {
     insert_ = outer_insert;
   }
 
-  // Whether so much that an inserted entity contains may still be read.
+  // Whether this much more of what inserted entities contain may still be read.
   bool take(std::size_t much) { return !insert_ || reading_.blocks->take(much, *insert_, depth_ - 1); }
 
   void read(const Entity& entity) {

@@ -1,6 +1,6 @@
 // One block of a pattern file: a piece as its writer drew it, sorted by the layers of ASTM D6673.
 //
-// Units: the file's, in the file's own orientation.  Fields that the block does not contain stay empty:  AccuMark
+// Units: the file's, in the file's own orientation.  Fields that the block does not contain stay empty: AccuMark
 // writes quantity, material and "NM" only into the block of the sample size, and the style gives them to the other
 // sizes (pattern_file.h).
 #pragma once
@@ -53,7 +53,8 @@ struct BlockReading {
   dxf::strokes::Blocks* blocks{};  // that the block may insert; null: INSERTs are not followed
 };
 
-// With the blocks that it inserts, which belong to the same piece; the block's own texts count before theirs.
+// Reads the block with those that it inserts, which belong to the same piece; its own texts take precedence over
+// theirs.
 // Check the error of reading.blocks afterwards.
 [[nodiscard]] PatternBlock read_pattern_block(const dxf::Block& block, BlockReading& reading);
 
@@ -61,7 +62,7 @@ struct BlockReading {
 // whether there are such depths.  Units: millimetres.
 bool enlarge_shallow_notches(std::vector<PatternBlock>& blocks);
 
-// "Piece Name:  FRONT", or with = for the colon, as its key in capitals and its value; none if the text is not such a
+// "Piece Name: FRONT", or with = for the colon, as its key in capitals and its value; none if the text is not such a
 // pair with a known key.
 [[nodiscard]] std::optional<std::pair<std::string, std::string>> key_and_value(std::string_view text);
 

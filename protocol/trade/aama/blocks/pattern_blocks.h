@@ -13,7 +13,7 @@ namespace selvage::protocol::trade::aama::blocks {
 struct PatternBlocks {
   std::vector<PatternBlock> pieces;  // empty: the file draws no boundary
   std::vector<PieceInsert> inserts;  // of the pieces
-  bool loose{};                      // they are no blocks, but drawn in ENTITIES
+  bool loose{};                      // they are not blocks but drawn in ENTITIES
 };
 
 // `millimetre` is one in the file's unit.  Oddities are noted in `reading`, whose `blocks` are set meanwhile.

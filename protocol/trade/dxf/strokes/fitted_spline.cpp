@@ -85,8 +85,8 @@ bool is_fitted(const Entity& entity) {
 
 std::optional<Run> fitted_run(const Entity& spline, Flattening& flattening) {
   constexpr int kClosed = 1, kStartTangent = 12, kEndTangent = 13;
-  // The influence of a point on a derivative falls by more than half from each point to the next: so many turns of a
-  // closed spline before and after it make its ends irrelevant.
+  // The influence of a point on a derivative falls by more than half from each point to the next: this many points of a
+  // closed spline, repeated before and after it, make its ends irrelevant.
   constexpr std::size_t kBeyond = 60;
   std::vector<Spot> points = fit_points(spline);
   if (points.size() < 2) return std::nullopt;

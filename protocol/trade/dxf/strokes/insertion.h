@@ -15,7 +15,7 @@
 
 namespace selvage::protocol::trade::dxf::strokes {
 
-inline constexpr int kDeepestBlocks = 16;  // an INSERT within so many blocks is refused
+inline constexpr int kDeepestBlocks = 16;  // an INSERT within this many blocks is refused
 
 // The affine map of an INSERT, or of several within one another.
 struct Insertion {
@@ -59,7 +59,7 @@ class Blocks {
   [[nodiscard]] const Block* of(const Entity& insert) const;
 
   // Calls `place(block, insertion)` for each copy that the INSERT makes; `outer` is what the blocks around it do, and
-  // `depth` their number.  Afterwards error() may say that it did not call it for all.
+  // `depth` their number.  Afterwards error() may say that it was not called for all of them.
   template <class Place>
   void insert(const Entity& insert, const Insertion& outer, int depth, Place place) {
     const Block* const block = of(insert);
@@ -73,7 +73,7 @@ class Blocks {
       }
     }
   }
-  // Takes entities or points from those that may still be inserted.  Returns whether there are so many.
+  // Takes entities or points from those that may still be inserted.  Returns whether there are enough.
   bool take(std::size_t count, const Entity& insert, int depth);
 
   // kOutOfRange, with the line of the INSERT, after too many entities or too large a scale.
