@@ -2,8 +2,9 @@
 //
 // Where any layout will do, each round begins with the conflicts that all subtrees have had so far.
 // The schedule of rounds does not depend on the number of threads: a round takes the same subtrees, explores each of
-// them with the ceiling of the round's start, and combines the outcomes in their order.  Nor do answers and counts.
-// A bound is proved at any time: the least of the open nodes' bounds and of the ceilings at which others were closed.
+// them with the ceiling of the round's start, and combines the outcomes in their order.  Answers and counts do not
+// depend on it either. A bound is proved at any time: the least of the open nodes' bounds and of the ceilings at which
+// others were closed.
 #pragma once
 
 #include <cstdint>

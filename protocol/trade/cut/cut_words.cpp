@@ -183,7 +183,7 @@ class Interpreter {
     const auto begun = [](const CutPiece& piece) { return !piece.runs.empty() || !piece.drawn.empty(); };
     if (std::none_of(commands_.pieces.begin(), commands_.pieces.end(), begun)) return;
     commands_.notes.push_back({"/block/" + std::to_string(number_),
-                               "M70 behind the first cut is ignored: all coordinates are taken from one origin"});
+                               "M70 after the first cut is ignored: all coordinates are taken from one origin"});
   }
 
   void note_unread(std::string_view block) {

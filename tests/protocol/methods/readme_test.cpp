@@ -78,10 +78,11 @@ TEST(Readme, ExplainsAllParametersAndResultsOfMotionsAndSearches) {
 TEST(Readme, ListsEveryErrorCode) {
   using enum ErrorCode;
   constexpr std::array kCodes{
-      kSyntax,          kDepth,          kMissingField,   kUnknownField,          kWrongType,   kOutOfRange,
-      kUnknownFormat,   kFile,           kDuplicateField, kTooFewVertices,        kZeroArea,    kSelfIntersecting,
-      kTooManyVertices, kBeyondLattice,  kEmptyMarker,    kUnknownShape,          kDuplicateId, kPieceTooWide,
-      kOutsideStrip,    kMarkerOverlaps, kTooManyPieces,  kOrientationNotAllowed, kRepairFailed};
+      kSyntax,          kDepth,          kMissingField,   kUnknownField,          kWrongType,    kOutOfRange,
+      kUnknownFormat,   kFile,           kDuplicateField, kTooFewVertices,        kZeroArea,     kSelfIntersecting,
+      kTooManyVertices, kBeyondLattice,  kEmptyMarker,    kUnknownShape,          kDuplicateId,  kPieceTooWide,
+      kOutsideStrip,    kMarkerOverlaps, kTooManyPieces,  kOrientationNotAllowed, kRepairFailed, kStoppedEarly,
+      kNothingToUndo};
   const std::string text = test::repository_text("protocol/README.md");
   for (const ErrorCode code : kCodes) {
     const std::string row =

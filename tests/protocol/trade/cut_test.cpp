@@ -101,7 +101,7 @@ TEST(CutIn, AnOriginBehindTheFirstCutAndDrillHolesByRAreNotedAndRead) {
       protocol::files::read_file("G71*M70*N1*X0Y0*M14*X1000Y0*X1000Y500*X0Y500*X0Y0*M15*X300Y300R*M70*X500Y300*R*M0*");
   ASSERT_TRUE(file) << file.error().message;
   EXPECT_EQ(protocol::document::annotations_of(file->attributes.shapes[0]).drills.size(), 2U);
-  EXPECT_TRUE(test::has_note(*file, "/block/12: M70 behind the first cut is ignored"));
+  EXPECT_TRUE(test::has_note(*file, "/block/12: M70 after the first cut is ignored"));
 }
 
 TEST(CutOut, IsReadBackToATenthOfAMillimetre) {
