@@ -51,13 +51,15 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .solver_tolerance = 1e-4};
     case Accuracy::kFine: break;
   }
-  return {.rounds = 400,
-          .least_gain = 1e-8,
-          .trust = 0.3,
-          .gravity = 0.003,
-          .sweeps = true,
-          .region = model::RegionRule::kGreedy,
-          .solver = lp::solver::SolverChoice::kAutomatic};
+  CompactionSettings fine{.rounds = 400,
+                          .least_gain = 1e-8,
+                          .trust = 0.3,
+                          .gravity = 0.003,
+                          .sweeps = true,
+                          .region = model::RegionRule::kGreedy,
+                          .solver = lp::solver::SolverChoice::kAutomatic};
+  fine.tuning.most_near_pairs = 32;  // it looks three times as far
+  return fine;
 }
 
 double first_trust(const scene::Scene& scene, const CompactionSettings& settings) {

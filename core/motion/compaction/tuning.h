@@ -11,7 +11,7 @@ namespace selvage::motion::compaction {
 struct CompactionTuning {
   double trust_ahead{2};       // the next round's trust radius, as a multiple of the last round's farthest move
   double least_trust{0.05};    // the trust radius never shrinks below this part of the first round's
-  double most_near_pairs{32};  // for each piece, on average: the first round's trust radius is halved until there are
+  double most_near_pairs{12};  // for each piece, on average: the first round's trust radius is halved until there are
                                // no more, because the fill of a program's factor grows with the square of their number
   double long_from{10};        // widths: in markers longer than this, the least gain grows with the length
   double little{2e-5};         // part of the width: a program that gains less is not solved again for rows left out

@@ -288,7 +288,7 @@ TEST(Compact, ModelsOnlyTheNearestOfManyTinyPieces) {
   const auto result = compact(layout.marker(), kStandard, {sums, {}, observer});
   ASSERT_TRUE(result);
   EXPECT_TRUE(is_valid(result->marker));
-  EXPECT_EQ(result->length_after, 4 * kColumns);
+  EXPECT_LE(result->length_after, 4 * kColumns);  // less where squares move across, into the free rest of the strip
   EXPECT_LE(most_rows, 4 * kStandard.tuning.most_near_pairs * kPieces);
 }
 
