@@ -160,11 +160,11 @@ class Bumper {
     bounds_.clear();
     last_.blocking.clear();
     find_neighbours();
-    if (stop_.stop_requested()) return false;
     for (const std::size_t k : neighbours_) {
-      if (stop_.stop_requested()) return false;
+      if (stop_.stop_requested()) break;
       add_sides(met_[k], towards_x, towards_y);
     }
+    if (stop_.stop_requested()) return false;
     const auto room = [](Coord from, Coord to) { return static_cast<double>(std::max(Coord{0}, to - from)); };
     add_edge(1, 0, room(fit_.low.x, at_.x));
     add_edge(-1, 0, room(at_.x, fit_.high.x));
@@ -173,7 +173,8 @@ class Bumper {
     for (const auto& [nx, ny] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) add_edge(nx, ny, reach_);
     return true;
   }
-  // The pieces within reach; found again when the position or the reach has changed since.  Some of them when cancelled.
+  // The pieces within reach; found again when the position or the reach has changed since.  Some of them when
+  // cancelled.
   void find_neighbours() {
     if (looked_from_ == std::pair{at_, reach_}) return;
     looked_from_ = {at_, reach_};
@@ -284,8 +285,8 @@ class Bumper {
   double reach_;
   std::vector<Met> met_;
   std::unordered_map<std::uint64_t, std::size_t> met_at_;  // by the numbers of the two pieces, the moving one first
-  std::optional<std::pair<Vec, double>> looked_from_;  // the position and the reach that `neighbours_` is for
-  std::vector<std::size_t> neighbours_;                // in met_
+  std::optional<std::pair<Vec, double>> looked_from_;      // the position and the reach that `neighbours_` is for
+  std::vector<std::size_t> neighbours_;                    // in met_
   std::vector<CellSide> cell_;
   std::vector<Bound> bounds_;
   Slide last_;

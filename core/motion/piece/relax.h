@@ -23,8 +23,8 @@ struct Relaxation {
                                const RelaxTuning& tuning = {});
 
 // Rotational relaxation [Li94 6.1.2]: of `tilts` tilts evenly spaced over the piece's range, and its present one, the
-// one with most freedom.  Apart from rounding, the freedom never becomes less than at the present tilt.  When cancelled,
-// it is the best of the tilts so far.
+// one with most freedom.  Apart from rounding, the freedom never becomes less than at the present tilt.  When
+// cancelled, it is the best of the tilts so far.
 [[nodiscard]] Relaxation relax_tilted(const scene::Scene& scene, PieceId piece, int tilts,
                                       const std::stop_token& stop = {}, const RelaxTuning& tuning = {});
 
