@@ -281,15 +281,20 @@ TEST(Compact, ModelsOnlyTheNearestOfManyTinyPieces) {
   for (int column = 0; column < kColumns; ++column) {
     for (int row = 0; row < kRows; ++row) layout.put(square, {10 * column, 10 * row});
   }
-  SumCache sums;
-  scene::Observer observer;
-  int most_rows = 0;
-  observer.on_program = [&](const lp::LinearProgram& program) { most_rows = std::max(most_rows, program.rows()); };
-  const auto result = compact(layout.marker(), kStandard, {sums, {}, observer});
-  ASSERT_TRUE(result);
-  EXPECT_TRUE(is_valid(result->marker));
-  EXPECT_LE(result->length_after, 4 * kColumns);  // less where squares move across, into the free rest of the strip
-  EXPECT_LE(most_rows, 4 * kStandard.tuning.most_near_pairs * kPieces);
+  const auto length_with = [&](const CompactionSettings& settings) {
+    SumCache sums;
+    scene::Observer observer;
+    int most_rows = 0;
+    observer.on_program = [&](const lp::LinearProgram& program) { most_rows = std::max(most_rows, program.rows()); };
+    const auto result = compact(layout.marker(), settings, {sums, {}, observer});
+    EXPECT_TRUE(result && is_valid(result->marker));
+    EXPECT_LE(most_rows, 4 * settings.tuning.most_near_pairs * kPieces);
+    return result->length_after;
+  };
+  CompactionSettings more = kStandard;
+  more.tuning.most_near_pairs = 32;
+  EXPECT_EQ(length_with(more), 4 * kColumns);
+  EXPECT_LT(length_with(kStandard), 4 * kColumns);  // squares move across, into the free rest of the strip
 }
 
 }  // namespace

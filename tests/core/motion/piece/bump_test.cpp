@@ -61,7 +61,7 @@ TEST(Bump, DoesNotMoveLockedPieces) {
   EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{5000, 400}));
 }
 
-TEST(Bump, StopsOnItsWayWhenCancelled) {
+TEST(Bump, StaysWhenCancelled) {
   Layout layout{1000};
   const auto square = layout.shape_of(test::rectangle(100, 100));
   layout.put(square, {5000, 400}).put(square, {0, 400});
