@@ -15,8 +15,6 @@ namespace {
 // markers, and reaches the same lengths.  For small scenes a vertex solution is preferred: there it is one lattice unit
 // shorter and moves pieces less.
 constexpr int kInteriorPointFromRows = 60;
-// The largest row violation at which a solution of the interior point method is accepted, unless rounding allows no
-// better.
 constexpr double kLargestInfeasibility = 1e-9;
 
 // Detects programs that neither solver should be given.  kFailed: not a linear program.
@@ -58,6 +56,10 @@ LpStatus confirmed_status(const LinearProgram& program, LpStatus reported, const
 
 }  // namespace
 
+double allowed_violation(const LinearProgram& program) {
+  return std::max(kLargestInfeasibility, interior_point::attainable_violation(program));
+}
+
 LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits, std::stop_token stop,
                  const Executor& executor) {
   if (stop.stop_requested()) return {.status = LpStatus::kStopped};
@@ -68,8 +70,7 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
         solve_by_interior_point(program, interior_point::settings_for_tolerance(limits.tolerance), stop, executor);
     if (solution.status == LpStatus::kStopped) return solution;
     const bool solved = solution.status == LpStatus::kOptimal;
-    const double allowed = std::max(kLargestInfeasibility, interior_point::attainable_violation(program));
-    if (solved && infeasibility(program, solution.x) <= allowed) return solution;
+    if (solved && infeasibility(program, solution.x) <= allowed_violation(program)) return solution;
     return std::nullopt;
   };
   const bool interior_first = prefers_interior_point(program, choice);

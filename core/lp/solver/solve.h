@@ -25,4 +25,8 @@ struct LpLimits {
 [[nodiscard]] LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimits& limits = {},
                                std::stop_token stop = {}, const Executor& executor = serial());
 
+// The largest row violation at which a solution is accepted: 1e-9, unless the rounding of the program's bounds allows
+// no better.
+[[nodiscard]] double allowed_violation(const LinearProgram& program);
+
 }  // namespace selvage::lp::solver

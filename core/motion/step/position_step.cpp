@@ -1,5 +1,8 @@
 #include "core/motion/step/position_step.h"
 
+#include <optional>
+#include <utility>
+
 #include "core/marker/clearance.h"
 #include "core/motion/step/prove_step.h"
 #include "core/motion/step/round_model.h"
@@ -47,10 +50,19 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     step.end = end;
     return step;
   };
+  std::optional<lp::LpSolution> mended;  // the last solution, where rows were added that it now keeps, too
+  int mendings = 0;
   for (bool last = false; !last;) {
     if (run.stopped()) return ended(StepEnd::kStopped);
-    const lp::LpSolution solution = model.solve();
-    last = ++step.programs >= tuning.programs || model.has_outgrown();
+    if (!mended) {
+      mendings = 0;
+      ++step.programs;
+    }
+    const lp::LpSolution solution = mended ? *std::exchange(mended, {}) : model.solve();
+    const auto mend = [&] {
+      if (++mendings <= tuning.mendings) mended = model.mended(solution);
+    };
+    last = step.programs >= tuning.programs || model.has_outgrown();
     if (solution.status == lp::LpStatus::kInfeasible && model.make_feasible()) continue;
     if (solution.status == lp::LpStatus::kStopped) return ended(StepEnd::kStopped);
     if (solution.status != lp::LpStatus::kOptimal) return ended(StepEnd::kSolverFailed);
@@ -64,7 +76,10 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     } else {
       const bool rows_added = gains && model.add_broken_rows(moves, gain);
       const bool pieces_added = model.add_pressed_pieces(solution);
-      if (rows_added || pieces_added) continue;
+      if (rows_added || pieces_added) {
+        mend();
+        continue;
+      }
     }
     if (!goal.fixes_length()) step.pressed = model.pressed_rows(solution);
     if (!gains) return ended(StepEnd::kNoGain);
@@ -78,8 +93,12 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
       finish(scene, goal, model, proved, step);
       return step;
     }
-    if (step.programs >= tuning.foresight_after && model.add_pairs(model.ahead_of(moves, proved.conflicts))) continue;
-    if (!model.add_pairs(proved.conflicts)) model.tie(proved.conflicts);
+    const bool foresees = step.programs >= tuning.foresight_after;
+    if ((foresees && model.add_pairs(model.ahead_of(moves, proved.conflicts))) || model.add_pairs(proved.conflicts)) {
+      mend();
+    } else {
+      model.tie(proved.conflicts);
+    }
   }
   return step;
 }

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
+#include "core/lp/solver/mend.h"
 #include "core/model/snap.h"
 
 namespace selvage::motion::step {
@@ -72,6 +74,18 @@ lp::LpSolution RoundModel::solve() const {
   lp::solver::LpLimits limits;
   if (!goal_.fixes_length()) limits.tolerance = settings_.tolerance;
   return lp::solver::solve(model_->program(), settings_.solver, limits, run_.stop, *run_.executor);
+}
+
+std::optional<lp::LpSolution> RoundModel::mended(const lp::LpSolution& solution) const {
+  const StepTuning& tuning = settings_.tuning;
+  if (goal_.fixes_length() || scene_.pieces.size() < tuning.mended_from) return {};
+  run_.observer.on_stage(scene::Stage::kSolve);
+  const lp::LinearProgram& program = model_->program();
+  auto x = lp::solver::mended(program, solution.x, run_.stop);
+  if (!x) return {};
+  const double objective = std::inner_product(x->begin(), x->end(), program.cost.begin(), 0.0);
+  if (-objective < tuning.mended_gain * -solution.objective) return {};
+  return lp::LpSolution{solution.status, *std::move(x), solution.dual, objective, solution.iterations};
 }
 
 Moves RoundModel::moves(const lp::LpSolution& solution) const {

@@ -27,6 +27,10 @@ class RoundModel {
   RoundModel& operator=(const RoundModel&) = delete;
 
   [[nodiscard]] lp::LpSolution solve() const;
+  // The solution, mended where rows that were added since break it (core/lp/solver/mend.h).  Nothing when that is not
+  // possible or loses too much of the gain, and where markers are not mended (StepTuning).  The dual values of those
+  // rows are missing.
+  [[nodiscard]] std::optional<lp::LpSolution> mended(const lp::LpSolution& solution) const;
   // What an optimal solution asks for.
   [[nodiscard]] Moves moves(const lp::LpSolution& solution) const;
 

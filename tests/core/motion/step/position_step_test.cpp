@@ -83,6 +83,24 @@ TEST_P(PositionStepOfGarments, AProgramThatHasOutgrownTheFirstIsTheLastOfItsRoun
   for (std::size_t k = 0; k + 1 < limited.size(); ++k) EXPECT_LE(limited[k], most);
 }
 
+// Where rows enter late, the solution is mended around them instead of solving the whole program again.
+TEST_P(PositionStepOfGarments, AMendedRoundSolvesFewerProgramsForMostOfTheGain) {
+  const Marker marker = test::loosened(test::garment(GetParam()), 0.05);
+  SumCache sums;
+  const scene::Scene scene{marker, sums};
+  const Goal goal = leftward_goal(scene, 0.003);
+  const PositionStep solved = position_step(scene, goal, {.trust = kTrust}, {sums});
+  const StepTuning mending{.mended_from = 0, .mended_gain = 0.5};
+  const PositionStep step = position_step(scene, goal, {.trust = kTrust, .tuning = mending}, {sums});
+  ASSERT_EQ(step.end, StepEnd::kMoved);
+  EXPECT_LT(step.programs, solved.programs);
+  EXPECT_GT(step.gain, 0.5 * solved.gain);
+  marker::PlacedPieces moved = scene.pieces;
+  moved.place(step.positions);
+  EXPECT_TRUE(conflicts(moved).empty());
+  EXPECT_LT(moved.length(), scene.pieces.length());
+}
+
 INSTANTIATE_TEST_SUITE_P(Garments, PositionStepOfGarments, ::testing::Values("jeans_02g", "simon_06g", "jeans_06g"),
                          test::garment_name);
 
