@@ -35,6 +35,11 @@ Box box_of(std::span<const Vec> points) {
   return box;
 }
 
+bool segments_meet(Vec a, Vec b, Vec c, Vec d) {
+  if (!box_of(std::array{a, b}).touches(box_of(std::array{c, d}))) return false;
+  return side_of(a, b, c) * side_of(a, b, d) <= 0 && side_of(c, d, a) * side_of(c, d, b) <= 0;
+}
+
 int decimals_of(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific).ptr;

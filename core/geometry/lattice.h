@@ -66,6 +66,9 @@ struct Box {
 // REQUIRES: at least one point.
 [[nodiscard]] Box box_of(std::span<const Vec> points);
 
+// True when the closed segments from a to b and from c to d share a point.  Exact.
+[[nodiscard]] bool segments_meet(Vec a, Vec b, Vec c, Vec d);
+
 // The length of one lattice unit: 10^exponent of the marker's unit.
 struct Resolution {
   int exponent{};

@@ -53,20 +53,6 @@ Polygon without_redundant_vertices(std::span<const Vec> vertices, Repairs& repai
   return kept;
 }
 
-// True when the closed segments share a point.
-bool segments_meet(Vec a, Vec b, Vec c, Vec d) {
-  const int c_side = side_of(a, b, c);
-  const int d_side = side_of(a, b, d);
-  const int a_side = side_of(c, d, a);
-  const int b_side = side_of(c, d, b);
-  if (c_side * d_side < 0 && a_side * b_side < 0) return true;
-  const auto on = [](Vec p, Vec q, Vec r, int side) {  // true when r lies on segment pq, given its side of the line
-    return side == 0 && std::min(p.x, q.x) <= r.x && r.x <= std::max(p.x, q.x) && std::min(p.y, q.y) <= r.y &&
-           r.y <= std::max(p.y, q.y);
-  };
-  return on(a, b, c, c_side) || on(a, b, d, d_side) || on(c, d, a, a_side) || on(c, d, b, b_side);
-}
-
 // Two edges that share a point although they are not neighbours, found by a sweep over the edges' x ranges; {0, 0} when
 // there are none.
 std::pair<std::size_t, std::size_t> meeting_edges(const Polygon& polygon) {

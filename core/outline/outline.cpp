@@ -1,19 +1,13 @@
 #include "core/outline/outline.h"
 
+#include "core/base/fnv1a.h"
+
 namespace selvage::outline {
 
-// FNV-1a over the bytes of the coordinates, least significant byte first.
 std::uint64_t hash_of(const Polygon& polygon) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto mix = [&hash](Coord c) {
-    auto bits = static_cast<std::uint64_t>(c);
-    for (int k = 0; k < 8; ++k, bits >>= 8) hash = (hash ^ (bits & 0xffU)) * 0x100000001b3U;
-  };
-  for (const Vec v : polygon) {
-    mix(v.x);
-    mix(v.y);
-  }
-  return hash;
+  Fnv1a hash;
+  for (const Vec v : polygon) hash.add(static_cast<std::uint64_t>(v.x)).add(static_cast<std::uint64_t>(v.y));
+  return hash.value();
 }
 
 std::size_t Outline::bytes() const {

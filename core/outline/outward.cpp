@@ -36,12 +36,6 @@ double distance_to_segment(Vec point, Vec from, Vec to) {
   return distance_to_line(point, from, to);
 }
 
-// True when the closed segments share a point.
-bool meet(Vec a, Vec b, Vec c, Vec d) {
-  if (!box_between(a, b).touches(box_between(c, d))) return false;
-  return side_of(a, b, c) * side_of(a, b, d) <= 0 && side_of(c, d, a) * side_of(c, d, b) <= 0;
-}
-
 // True when two consecutive edges fold back over each other.
 bool folded(Vec from, Vec shared, Vec to) {
   return side_of(from, shared, to) == 0 && dot(shared - from, to - shared) < 0;
@@ -183,7 +177,7 @@ class Simplification {
       const auto clear = [&](Vec e, Vec f) {
         if (k == to && f == n) return !folded(e, n, d);
         if (corners_[k].next == from && e == p) return !folded(c, p, f);
-        return !meet(c, d, e, f);
+        return !geometry::segments_meet(c, d, e, f);
       };
       if (apex ? !clear(p, *apex) || !clear(*apex, n) : !clear(p, n)) return false;
     }

@@ -2,19 +2,10 @@
 
 #include <charconv>
 
+#include "core/base/fnv1a.h"
 #include "protocol/json/json_text.h"
 
 namespace selvage::server::library {
-namespace {
-
-// FNV-1a: the same on every machine.
-std::uint64_t hash_of(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return hash;
-}
-
-}  // namespace
 
 std::string id_of(const Entry& entry) {
   return "s" + std::to_string(entry.number);
@@ -29,7 +20,7 @@ std::optional<std::uint64_t> number_of(const std::string& id) {
 }
 
 Entry entry_of(const Marker& marker, const std::string& style, const std::string& document) {
-  return {protocol::library::stored_figures_of(marker), 0, style, hash_of(document)};
+  return {protocol::library::stored_figures_of(marker), 0, style, Fnv1a{}.add(document).value()};
 }
 
 std::string figures_text(const Entry& entry) {

@@ -39,11 +39,15 @@ double largest_of(std::span<const double> v) {
 }
 
 Domain::Domain(InequalityForm form, int own)
-    : form_{std::move(form)}, own_{own}, rows_{row_runs(form_)}, normal_{rows_, own} {
+    : form_{std::move(form)},
+      own_{own},
+      rows_{row_runs(form_)},
+      normal_{rows_, own},
+      bound_{form_.bound.data(), form_.rows()} {
   cost_.setZero(form_.columns() + 1);
   std::copy(form_.cost.begin(), form_.cost.end(), cost_.data());
-  bound_ = Eigen::Map<const Vector>(form_.bound.data(), form_.rows());
   for (Vector* v : {&x_, &dx_, &rd_}) v->setZero(form_.columns() + 1);
+  form_.drop_matrix();
   for (Vector* v : {&s_, &z_, &ds_, &dz_, &rp_, &weight_, &target_, &wanted_}) v->setZero(form_.rows());
 }
 

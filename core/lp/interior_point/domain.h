@@ -28,7 +28,7 @@ class Domain {
   Domain(const Domain&) = delete;  // its normal equations refer to its rows
   Domain& operator=(const Domain&) = delete;
 
-  [[nodiscard]] const InequalityForm& form() const { return form_; }
+  [[nodiscard]] const InequalityForm& form() const { return form_; }  // without its matrix
   [[nodiscard]] int own() const { return own_; }
   [[nodiscard]] const NormalEquations& normal() const { return normal_; }
 
@@ -78,11 +78,12 @@ class Domain {
   void start_direction();
   void measure_all();
 
-  const InequalityForm form_;
+  InequalityForm form_;  // without its matrix, which is in rows_
   const int own_;
   const RowRuns rows_;
   NormalEquations normal_;
-  Vector cost_, bound_;
+  Vector cost_;
+  Eigen::Map<const Vector> bound_;
   Vector x_, s_, z_, dx_, ds_, dz_;
   Vector rp_, rd_;  // the residuals of A x - s = b and of A^T z = c
   Vector weight_;   // 1 / (s / z + delta)

@@ -25,6 +25,11 @@ struct InequalityForm {
 
   [[nodiscard]] int columns() const { return static_cast<int>(cost.size()); }
   [[nodiscard]] int rows() const { return static_cast<int>(bound.size()); }
+  // Frees the rows' entries, which take more memory than all else.
+  void drop_matrix() {
+    row_start = column = std::vector<int>{};
+    value = std::vector<double>{};
+  }
 };
 
 // Nothing when an empty row requires more than `tolerance`: the program is infeasible.

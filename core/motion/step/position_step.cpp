@@ -1,8 +1,5 @@
 #include "core/motion/step/position_step.h"
 
-#include <optional>
-#include <utility>
-
 #include "core/marker/clearance.h"
 #include "core/motion/step/prove_step.h"
 #include "core/motion/step/round_model.h"
@@ -50,18 +47,10 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     step.end = end;
     return step;
   };
-  std::optional<lp::LpSolution> mended;  // the last solution, where rows were added that it now keeps, too
-  int mendings = 0;
   for (bool last = false; !last;) {
     if (run.stopped()) return ended(StepEnd::kStopped);
-    if (!mended) {
-      mendings = 0;
-      ++step.programs;
-    }
-    const lp::LpSolution solution = mended ? *std::exchange(mended, {}) : model.solve();
-    const auto mend = [&] {
-      if (++mendings <= tuning.mendings) mended = model.mended(solution);
-    };
+    const lp::LpSolution solution = model.solve();
+    step.programs = model.programs();
     last = step.programs >= tuning.programs || model.has_outgrown();
     if (solution.status == lp::LpStatus::kInfeasible && model.make_feasible()) continue;
     if (solution.status == lp::LpStatus::kStopped) return ended(StepEnd::kStopped);
@@ -77,7 +66,7 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
       const bool rows_added = gains && model.add_broken_rows(moves, gain);
       const bool pieces_added = model.add_pressed_pieces(solution);
       if (rows_added || pieces_added) {
-        mend();
+        model.mend(solution);
         continue;
       }
     }
@@ -95,7 +84,7 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     }
     const bool foresees = step.programs >= tuning.foresight_after;
     if ((foresees && model.add_pairs(model.ahead_of(moves, proved.conflicts))) || model.add_pairs(proved.conflicts)) {
-      mend();
+      model.mend(solution);
     } else {
       model.tie(proved.conflicts);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "core/lp/solver/mend.h"
 #include "core/model/snap.h"
@@ -68,7 +69,10 @@ RoundModel::RoundModel(const scene::Scene& scene, const Goal& goal, const StepSe
   first_rows_ = rows_.size();
 }
 
-lp::LpSolution RoundModel::solve() const {
+lp::LpSolution RoundModel::solve() {
+  if (mended_) return *std::exchange(mended_, {});
+  ++programs_;
+  mendings_ = 0;
   run_.observer.on_stage(scene::Stage::kSolve);
   run_.observer.on_program(model_->program());
   lp::solver::LpLimits limits;
@@ -76,16 +80,17 @@ lp::LpSolution RoundModel::solve() const {
   return lp::solver::solve(model_->program(), settings_.solver, limits, run_.stop, *run_.executor);
 }
 
-std::optional<lp::LpSolution> RoundModel::mended(const lp::LpSolution& solution) const {
+void RoundModel::mend(const lp::LpSolution& solution) {
   const StepTuning& tuning = settings_.tuning;
-  if (goal_.fixes_length() || scene_.pieces.size() < tuning.mended_from) return {};
+  if (goal_.fixes_length() || scene_.pieces.size() < tuning.mended_from || mendings_ == tuning.mendings) return;
+  ++mendings_;
   run_.observer.on_stage(scene::Stage::kSolve);
   const lp::LinearProgram& program = model_->program();
   auto x = lp::solver::mended(program, solution.x, run_.stop);
-  if (!x) return {};
+  if (!x) return;
   const double objective = std::inner_product(x->begin(), x->end(), program.cost.begin(), 0.0);
-  if (-objective < tuning.mended_gain * -solution.objective) return {};
-  return lp::LpSolution{solution.status, *std::move(x), solution.dual, objective, solution.iterations};
+  if (-objective < tuning.mended_gain * -solution.objective) return;
+  mended_ = lp::LpSolution{solution.status, *std::move(x), solution.dual, objective, solution.iterations};
 }
 
 Moves RoundModel::moves(const lp::LpSolution& solution) const {

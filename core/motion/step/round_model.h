@@ -26,11 +26,14 @@ class RoundModel {
   RoundModel(const RoundModel&) = delete;
   RoundModel& operator=(const RoundModel&) = delete;
 
-  [[nodiscard]] lp::LpSolution solve() const;
-  // The solution, mended where rows that were added since break it (core/lp/solver/mend.h).  Nothing when that is not
-  // possible or loses too much of the gain, and where markers are not mended (StepTuning).  The dual values of those
-  // rows are missing.
-  [[nodiscard]] std::optional<lp::LpSolution> mended(const lp::LpSolution& solution) const;
+  // The mended solution, if there is one that was not returned yet; otherwise solves the program.
+  [[nodiscard]] lp::LpSolution solve();
+  // How often the program was solved.
+  [[nodiscard]] int programs() const { return programs_; }
+  // Mends the solution where rows that were added since break it (core/lp/solver/mend.h); the dual values of those rows
+  // are missing in the result.  Does nothing in markers that are not mended (StepTuning), and where that is not
+  // possible or loses too much of the gain.
+  void mend(const lp::LpSolution& solution);
   // What an optimal solution asks for.
   [[nodiscard]] Moves moves(const lp::LpSolution& solution) const;
 
@@ -86,6 +89,9 @@ class RoundModel {
   std::size_t first_rows_{};  // of the first program
   std::optional<model::PositionModel> model_;
   std::vector<std::pair<int, std::size_t>> row_of_;  // rows of the program, each with its index in rows_
+  std::optional<lp::LpSolution> mended_;             // for solve() to return
+  int programs_{};
+  int mendings_{};  // since the program was solved
 };
 
 }  // namespace selvage::motion::step

@@ -41,12 +41,6 @@ std::optional<Vec> other_side(Vec corner, Vec end, RealVec along) {
   return corner + Vec{std::llround(away * edge.x), std::llround(away * edge.y)};
 }
 
-// True when the segments have a point in common.
-bool meet(Vec a, Vec b, Vec c, Vec d) {
-  if (!box_of(std::array{a, b}).touches(box_of(std::array{c, d}))) return false;
-  return side_of(a, b, c) * side_of(a, b, d) <= 0 && side_of(c, d, a) * side_of(c, d, b) <= 0;
-}
-
 // The outline with those holes that are open so far.
 class OpenOutline {
  public:
@@ -85,7 +79,7 @@ class OpenOutline {
   [[nodiscard]] bool meets_closed_hole(Vec from, Vec to) const {
     return std::any_of(closed_.begin(), closed_.end(), [&](const Polygon& hole) {
       for (std::size_t k = 0; k < hole.size(); ++k) {
-        if (meet(from, to, hole[k], hole[(k + 1) % hole.size()])) return true;
+        if (geometry::segments_meet(from, to, hole[k], hole[(k + 1) % hole.size()])) return true;
       }
       return false;
     });

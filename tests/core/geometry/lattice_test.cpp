@@ -30,6 +30,24 @@ std::string shortest_text(double value) {
   return {text, end};
 }
 
+TEST(Segments, MeetWhereTheyShareAPoint) {
+  const auto meet = [](Vec a, Vec b, Vec c, Vec d) {
+    const bool met = geometry::segments_meet(a, b, c, d);
+    EXPECT_EQ(geometry::segments_meet(b, a, c, d), met);
+    EXPECT_EQ(geometry::segments_meet(c, d, a, b), met);
+    return met;
+  };
+  EXPECT_TRUE(meet({0, 0}, {4, 4}, {0, 4}, {4, 0}));     // they cross
+  EXPECT_TRUE(meet({0, 0}, {4, 4}, {4, 4}, {9, 0}));     // they share an end
+  EXPECT_TRUE(meet({0, 0}, {4, 0}, {2, 0}, {2, 7}));     // an end lies inside the other
+  EXPECT_TRUE(meet({0, 0}, {4, 2}, {2, 1}, {8, 4}));     // they overlap on a line
+  EXPECT_TRUE(meet({3, 3}, {3, 3}, {0, 0}, {4, 4}));     // a point on a segment
+  EXPECT_FALSE(meet({0, 0}, {4, 2}, {6, 3}, {8, 4}));    // apart on a line
+  EXPECT_FALSE(meet({0, 0}, {4, 0}, {0, 1}, {4, 1}));    // parallel
+  EXPECT_FALSE(meet({0, 0}, {4, 4}, {3, 2}, {4, 0}));    // would meet if longer
+  EXPECT_FALSE(meet({0, 0}, {9, 0}, {10, 5}, {10, 0}));  // on the other's line, beyond its end
+}
+
 TEST(Decimals, AreCountedInTheShortestText) {
   EXPECT_EQ(geometry::decimals_of(0), 0);
   EXPECT_EQ(geometry::decimals_of(100), 0);
