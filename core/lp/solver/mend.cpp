@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -11,11 +12,20 @@ namespace selvage::lp::solver {
 namespace {
 
 constexpr int kNone = -1;
+// The rows that threads share at a time.  Where one of them cannot be mended, the work on the others was for nothing.
+constexpr std::size_t kRowsAtOnce = 4;
 // The cost of a unit by which broken rows give way, as a multiple of the largest cost: no row's price comes near it.
 constexpr double kCostOfGiving = 1000;
 
 std::size_t to_index(int i) {
   return static_cast<std::size_t>(i);
+}
+
+// By how much x misses the row's bound.
+double shortfall(const LinearProgram& program, std::span<const double> x, int row) {
+  double left = program.bound[to_index(row)];
+  for (const auto& [column, value] : program.row(row)) left -= value * x[to_index(column)];
+  return left;
 }
 
 // The rows in which each column occurs.
@@ -30,9 +40,17 @@ class RowsOfColumns {
       for (const auto& entry : program.row(r)) rows_[end[to_index(entry.column)]++] = r;
     }
   }
-  [[nodiscard]] std::span<const int> of(int column) const {
-    const std::size_t j = to_index(column);
-    return std::span{rows_}.subspan(start_[j], start_[j + 1] - start_[j]);
+  // The rows of all these columns, ascending.
+  [[nodiscard]] std::vector<int> of(const std::vector<int>& columns) const {
+    std::vector<int> rows;
+    for (const int column : columns) {
+      const std::size_t j = to_index(column);
+      rows.insert(rows.end(), rows_.begin() + static_cast<std::ptrdiff_t>(start_[j]),
+                  rows_.begin() + static_cast<std::ptrdiff_t>(start_[j + 1]));
+    }
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    return rows;
   }
 
  private:
@@ -40,91 +58,58 @@ class RowsOfColumns {
   std::vector<int> rows_;
 };
 
-class Mending {
- public:
-  Mending(const LinearProgram& program, std::vector<double> x, const std::stop_token& stop)
-      : program_{program},
-        stop_{stop},
-        allowed_{allowed_violation(program)},
-        rows_{program},
-        place_(program.cost.size(), kNone),
-        x_{std::move(x)} {}
-
-  [[nodiscard]] bool is_broken(int row) const { return shortfall(row) > allowed_; }
-  // Changes x until it keeps the row, and still all rows that it kept before.
-  [[nodiscard]] bool mend(int row);
-  [[nodiscard]] std::vector<double> result() && { return std::move(x_); }
-
- private:
-  // By how much x misses the row's bound.
-  [[nodiscard]] double shortfall(int row) const {
-    double sum = 0;
-    for (const auto& [column, value] : program_.row(row)) sum += value * x_[to_index(column)];
-    return program_.bound[to_index(row)] - sum;
-  }
-  void add_columns_of(int row);
-  [[nodiscard]] bool grow();
-  [[nodiscard]] std::vector<int> rows_of_part() const;
-  [[nodiscard]] LinearProgram program_of_part(const std::vector<int>& rows) const;
-  [[nodiscard]] bool solve_part();
-
-  const LinearProgram& program_;
-  const std::stop_token& stop_;
-  const double allowed_;
-  const RowsOfColumns rows_;
-  std::size_t work_{};      // columns of all programs so far
-  std::vector<int> part_;   // the columns that are solved for
-  std::vector<int> place_;  // the index of each column in part_
-  std::vector<double> x_;
+// Values for a few columns with which x keeps all of their rows.
+struct Change {
+  std::vector<int> columns;
+  std::vector<double> values;  // empty: none were found
+  std::size_t work{};          // the columns of all programs that were solved for this
 };
 
-bool Mending::mend(int row) {
-  add_columns_of(row);
-  bool done = false;
-  do {
-    work_ += part_.size();
-    if (part_.size() > kMostMended || work_ > place_.size() || stop_.stop_requested()) break;
-    done = solve_part();
-  } while (!done && grow());
-  for (const int j : part_) place_[to_index(j)] = kNone;
-  part_.clear();
-  return done;
-}
+// A few columns of a program, which are solved for while all others keep their values.
+class Part {
+ public:
+  Part(const LinearProgram& program, const RowsOfColumns& rows_of, std::span<const double> x)
+      : program_{program}, rows_of_{rows_of}, x_{x}, place_(program.cost.size(), kNone) {}
 
-void Mending::add_columns_of(int row) {
+  void add_columns_of(int row);
+  // Adds the columns that share a row with the part's.  False when there were none.
+  bool grow();
+  [[nodiscard]] const std::vector<int>& columns() const { return columns_; }
+  // Nothing when no values keep all rows of the part's columns.
+  [[nodiscard]] std::vector<double> solved(double allowed, const std::stop_token& stop) const;
+
+ private:
+  [[nodiscard]] LinearProgram program_of(const std::vector<int>& rows) const;
+
+  const LinearProgram& program_;
+  const RowsOfColumns& rows_of_;
+  std::span<const double> x_;
+  std::vector<int> columns_;
+  std::vector<int> place_;  // the index of each of the program's columns in columns_
+};
+
+void Part::add_columns_of(int row) {
   for (const auto& entry : program_.row(row)) {
     const std::size_t j = to_index(entry.column);
     if (place_[j] != kNone || program_.lower[j] == program_.upper[j]) continue;
-    place_[j] = static_cast<int>(part_.size());
-    part_.push_back(entry.column);
+    place_[j] = static_cast<int>(columns_.size());
+    columns_.push_back(entry.column);
   }
 }
 
-// Adds the columns that share a row with the part's.  False when there were none.
-bool Mending::grow() {
-  const std::size_t before = part_.size();
-  for (const int row : rows_of_part()) add_columns_of(row);
-  return part_.size() > before;
+bool Part::grow() {
+  const std::size_t before = columns_.size();
+  for (const int row : rows_of_.of(columns_)) add_columns_of(row);
+  return columns_.size() > before;
 }
 
-std::vector<int> Mending::rows_of_part() const {
-  std::vector<int> rows;
-  for (const int j : part_) {
-    const auto of_column = rows_.of(j);
-    rows.insert(rows.end(), of_column.begin(), of_column.end());
-  }
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  return rows;
-}
-
-// The part's columns and one more, by which rows that are not kept now may be broken: so the program is always
+// The part's columns and, last, one by which rows that are not kept now may be broken: so the program is always
 // feasible.
-LinearProgram Mending::program_of_part(const std::vector<int>& rows) const {
+LinearProgram Part::program_of(const std::vector<int>& rows) const {
   double largest = 0;
-  for (const int j : part_) largest = std::max(largest, std::abs(program_.cost[to_index(j)]));
+  for (const int j : columns_) largest = std::max(largest, std::abs(program_.cost[to_index(j)]));
   LinearProgram program;
-  for (const int column : part_) {
+  for (const int column : columns_) {
     const std::size_t j = to_index(column);
     program.add_column(largest > 0 ? program_.cost[j] / largest : 0, program_.lower[j], program_.upper[j]);
   }
@@ -141,32 +126,102 @@ LinearProgram Mending::program_of_part(const std::vector<int>& rows) const {
         bound -= value * x_[to_index(column)];
       }
     }
-    if (shortfall(row) > 0) entries.push_back({give, 1});
+    if (shortfall(program_, x_, row) > 0) entries.push_back({give, 1});
     program.add_row(entries, bound);
   }
   return program;
 }
 
-bool Mending::solve_part() {
-  const std::vector<int> rows = rows_of_part();
-  const LpSolution solution = solve(program_of_part(rows), SolverChoice::kAutomatic, {}, stop_);
-  if (solution.status != LpStatus::kOptimal) return false;
+std::vector<double> Part::solved(double allowed, const std::stop_token& stop) const {
+  LinearProgram program = program_of(rows_of_.of(columns_));
+  LpSolution solution = solve(program, SolverChoice::kAutomatic, {}, stop);
+  if (solution.status != LpStatus::kOptimal) return {};
+  solution.x.back() = 0;
+  if (infeasibility(program, solution.x) > allowed) return {};
+  solution.x.pop_back();
+  return std::move(solution.x);
+}
+
+class Mending {
+ public:
+  Mending(const LinearProgram& program, std::vector<double> x, const std::stop_token& stop)
+      : program_{program}, stop_{stop}, rows_of_{program}, allowed_{allowed_violation(program)}, x_{std::move(x)} {}
+
+  [[nodiscard]] bool is_broken(int row) const { return shortfall(program_, x_, row) > allowed_; }
+  // With which x keeps the row, and still all rows that it keeps now.
+  [[nodiscard]] Change change_around(int row) const;
+  // False, and nothing changes, when x would break a row then, because of changes that were made since this one was
+  // found.
+  bool make(const Change& change);
+  [[nodiscard]] std::vector<double> result() && { return std::move(x_); }
+
+ private:
+  const LinearProgram& program_;
+  const std::stop_token& stop_;
+  const RowsOfColumns rows_of_;
+  const double allowed_;
+  std::vector<double> x_;
+};
+
+Change Mending::change_around(int row) const {
+  Part part{program_, rows_of_, x_};
+  part.add_columns_of(row);
+  Change change;
+  do {
+    if (part.columns().size() > kMostMended || stop_.stop_requested()) break;
+    change.work += part.columns().size();
+    change.values = part.solved(allowed_, stop_);
+  } while (change.values.empty() && part.grow());
+  change.columns = part.columns();
+  return change;
+}
+
+bool Mending::make(const Change& change) {
   std::vector<double> before;
-  for (std::size_t k = 0; k < part_.size(); ++k) {
-    before.push_back(std::exchange(x_[to_index(part_[k])], solution.x[k]));
+  for (std::size_t k = 0; k < change.columns.size(); ++k) {
+    before.push_back(std::exchange(x_[to_index(change.columns[k])], change.values[k]));
   }
+  const std::vector<int> rows = rows_of_.of(change.columns);
   if (std::none_of(rows.begin(), rows.end(), [&](int row) { return is_broken(row); })) return true;
-  for (std::size_t k = 0; k < part_.size(); ++k) x_[to_index(part_[k])] = before[k];
+  for (std::size_t k = 0; k < change.columns.size(); ++k) x_[to_index(change.columns[k])] = before[k];
   return false;
+}
+
+// The first of these rows, and later ones that share no column with those before them: kRowsAtOnce at most.
+std::vector<int> without_shared_columns(const LinearProgram& program, const std::vector<int>& rows) {
+  std::vector<char> taken(program.cost.size());
+  std::vector<int> apart;
+  for (const int row : rows) {
+    if (apart.size() == kRowsAtOnce) break;
+    const auto entries = program.row(row);
+    const auto is_taken = [&](const auto& entry) { return taken[to_index(entry.column)] != 0; };
+    if (std::any_of(entries.begin(), entries.end(), is_taken)) continue;
+    for (const auto& entry : entries) taken[to_index(entry.column)] = 1;
+    apart.push_back(row);
+  }
+  return apart;
 }
 
 }  // namespace
 
 std::optional<std::vector<double>> mended(const LinearProgram& program, std::vector<double> x,
-                                          const std::stop_token& stop) {
+                                          const std::stop_token& stop, const Executor& executor) {
   Mending mending{program, std::move(x), stop};
-  for (int row = 0; row < program.rows(); ++row) {
-    if (mending.is_broken(row) && !mending.mend(row)) return std::nullopt;
+  std::vector<int> broken(to_index(program.rows()));
+  std::iota(broken.begin(), broken.end(), 0);
+  const auto keep_broken = [&] { std::erase_if(broken, [&](int row) { return !mending.is_broken(row); }); };
+  std::size_t work = 0;
+  for (keep_broken(); !broken.empty(); keep_broken()) {
+    const std::vector<int> rows = without_shared_columns(program, broken);
+    std::vector<Change> changes(rows.size());
+    executor.for_each(rows.size(), [&](std::size_t k) { changes[k] = mending.change_around(rows[k]); });
+    bool changed = false;
+    for (const Change& change : changes) {
+      work += change.work;
+      if (change.values.empty() || work > program.cost.size()) return std::nullopt;
+      changed = mending.make(change) || changed;
+    }
+    if (!changed) return std::nullopt;
   }
   return std::move(mending).result();
 }

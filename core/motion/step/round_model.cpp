@@ -86,7 +86,7 @@ void RoundModel::mend(const lp::LpSolution& solution) {
   ++mendings_;
   run_.observer.on_stage(scene::Stage::kSolve);
   const lp::LinearProgram& program = model_->program();
-  auto x = lp::solver::mended(program, solution.x, run_.stop);
+  auto x = lp::solver::mended(program, solution.x, run_.stop, *run_.executor);
   if (!x) return;
   const double objective = std::inner_product(x->begin(), x->end(), program.cost.begin(), 0.0);
   if (-objective < tuning.mended_gain * -solution.objective) return;

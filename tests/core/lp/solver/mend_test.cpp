@@ -7,6 +7,7 @@
 #include <stop_token>
 
 #include "core/lp/solver/solve.h"
+#include "protocol/execution/thread_pool.h"
 #include "tests/core/lp/compaction_models.h"
 
 namespace selvage::lp::solver {
@@ -85,6 +86,7 @@ TEST(Mend, EndsWhenCancelled) {
 // Compaction steps that were solved without some of their rows.  They shorten the strip by a tenth of what is possible,
 // so that there is room.
 TEST(Mend, MakesCompactionStepsFeasibleWithoutBeatingTheOptimum) {
+  const protocol::execution::ThreadPool pool{3};
   int broken = 0;
   int found = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -109,7 +111,7 @@ TEST(Mend, MakesCompactionStepsFeasibleWithoutBeatingTheOptimum) {
     EXPECT_LE(infeasibility(program, *x), allowed_violation(program));
     const double cost = std::inner_product(x->begin(), x->end(), program.cost.begin(), 0.0);
     EXPECT_GE(cost, best.objective - 1e-6 * (1 + std::abs(best.objective)));
-    EXPECT_EQ(mended(program, solution.x), x);
+    EXPECT_EQ(mended(program, solution.x, {}, pool), x);
   }
   EXPECT_GE(broken, 20);
   EXPECT_GE(found, 5);
