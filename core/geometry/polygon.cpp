@@ -146,4 +146,10 @@ Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices) {
   return clean;
 }
 
+Polygon normal_form(Polygon polygon, Vec by) {
+  for (Vec& vertex : polygon) vertex = vertex + by;
+  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
+  return polygon;
+}
+
 }  // namespace selvage::geometry

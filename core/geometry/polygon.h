@@ -40,6 +40,9 @@ struct CleanPolygon {
 // the two edges).
 [[nodiscard]] Result<CleanPolygon> clean_polygon(std::span<const Vec> vertices);
 
+// The polygon moved by `by`, its vertices listed from the smallest on: the same wherever the given list starts.
+[[nodiscard]] Polygon normal_form(Polygon polygon, Vec by = {});
+
 }  // namespace selvage::geometry
 
 // Basic types: also available in namespace selvage, so that every folder can use them unqualified.

@@ -50,10 +50,7 @@ Silhouette silhouette_of(const Polygon& outline) {
     const double y = static_cast<double>(box.low.y) + (row + 0.5) * silhouette.height / Silhouette::kSide;
     silhouette.rows[static_cast<std::size_t>(row)] = row_of(outline, box, y);
   }
-  Polygon at_origin = outline;
-  for (Vec& v : at_origin) v = v - box.low;
-  std::rotate(at_origin.begin(), std::min_element(at_origin.begin(), at_origin.end()), at_origin.end());
-  silhouette.hash = outline::hash_of(at_origin);
+  silhouette.hash = outline::hash_of(geometry::normal_form(outline, -box.low));
   return silhouette;
 }
 

@@ -35,8 +35,7 @@ Polygon ring_of(const ClipperLib::Path& path) {
   Polygon ring;
   ring.reserve(path.size());
   for (const ClipperLib::IntPoint& point : path) ring.push_back({point.X, point.Y});
-  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  return ring;
+  return geometry::normal_form(std::move(ring));
 }
 
 Polygon ring_turned_back(ClipperLib::Path path) {

@@ -46,16 +46,10 @@ Figure figure_of(const Polygon& wall, const scene::Run& run) {
   return figure;
 }
 
-// The polygon moved by `by`, starting at its smallest vertex.
-Polygon normal_form(Polygon polygon, Vec by) {
-  for (Vec& vertex : polygon) vertex = vertex + by;
-  std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end());
-  return polygon;
-}
-
 // Outline and part with the low corner of the outline's box at the origin: equal for equal outlines with equal parts.
 std::pair<Polygon, Polygon> normal_form(const Figure& figure) {
-  return {normal_form(figure.polygon, -figure.box.low), normal_form(figure.part_polygon, -figure.box.low)};
+  return {geometry::normal_form(figure.polygon, -figure.box.low),
+          geometry::normal_form(figure.part_polygon, -figure.box.low)};
 }
 
 // Whether the box has more room to move across the strip than along it, relative to its own size.

@@ -9,12 +9,9 @@
 namespace selvage::packing::bodies {
 namespace {
 
-// The outline with its box's low corner at the origin, starting at its smallest vertex.
-Polygon normal_form(Polygon outline) {
-  const Vec low = box_of(outline).low;
-  for (Vec& vertex : outline) vertex = vertex - low;
-  std::rotate(outline.begin(), std::min_element(outline.begin(), outline.end()), outline.end());
-  return outline;
+// The outline with its box's low corner at the origin.
+Polygon at_origin(const Polygon& outline) {
+  return geometry::normal_form(outline, -box_of(outline).low);
 }
 
 // Whether the outline is its own image when its coordinates are multiplied by these signs.
@@ -22,7 +19,7 @@ bool is_own_image(const Polygon& outline, Coord x, Coord y) {
   Polygon image = outline;
   for (Vec& vertex : image) vertex = {x * vertex.x, y * vertex.y};
   if (x != y) std::reverse(image.begin(), image.end());
-  return normal_form(std::move(image)) == normal_form(outline);
+  return at_origin(image) == at_origin(outline);
 }
 
 // The middle one of the bodies of a kind of which there is an odd number; of the largest such kind.

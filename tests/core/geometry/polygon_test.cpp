@@ -19,6 +19,16 @@ ErrorCode error_of(const std::vector<Vec>& vertices) {
 
 const Polygon kCleanSquare{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
+TEST(NormalForm, IsTheSameWhereverTheListStarts) {
+  const Polygon polygon{{4, 0}, {6, 5}, {1, 7}, {1, 3}};
+  Polygon rotated = polygon;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    EXPECT_EQ(geometry::normal_form(rotated), (Polygon{{1, 3}, {4, 0}, {6, 5}, {1, 7}}));
+    EXPECT_EQ(geometry::normal_form(rotated, {-1, 2}), (Polygon{{0, 5}, {3, 2}, {5, 7}, {0, 9}}));
+    std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
+  }
+}
+
 TEST(CleanPolygon, LeavesACleanPolygonUnchanged) {
   const auto clean = clean_polygon(kCleanSquare);
   ASSERT_TRUE(clean);
