@@ -41,7 +41,7 @@ export class Commands {
   undo = (): Promise<void> => (this.engine.preview.value ? Promise.resolve(this.engine.drop()) : this.queue(this.desk.undo));
   redo = (): Promise<void> => this.queue(this.desk.redo);
 
-  /** Slides each selected piece until it touches another one. */
+  /** Slides each selected piece as far as it goes. */
   bump(direction: Point): Promise<void> {
     return this.queue(async () => {
       const pieces = [...this.scene.selected()].sort((a, b) => b.box.right * direction[0] + b.box.top * direction[1] - a.box.right * direction[0] - a.box.top * direction[1]);

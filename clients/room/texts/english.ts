@@ -47,7 +47,7 @@ export const english = {
   pushes: "Drag pushes neighbours aside (P)",
   slides: "Drag slides along neighbours (P)",
   tools: "Tools",
-  canvas: "Marker. Arrow keys move the selected piece until it touches; Tab goes to the next piece.",
+  canvas: "Marker. Arrow keys slide the selected piece as far as it goes; Tab goes to the next piece.",
   overview: "Overview of the marker",
   // Engine
   engine: "Engine",
@@ -255,7 +255,7 @@ export const english = {
   keysPan: "Space or right button and drag, two fingers: pan",
   keysWheel: "Wheel, pinch: zoom",
   keysTilt: "Alt and wheel, or [ and ]: tilt the piece",
-  keysBump: "Arrows: slide the piece until it touches another",
+  keysBump: "Arrows: slide the piece as far as it goes",
   keysNudge: "Shift and arrows: nudge by a millimetre",
   keysShoot: "Home, End, Page Up, Page Down: slide the piece into a corner",
   keysTurn: "R, F: rotate, flip",
