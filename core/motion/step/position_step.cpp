@@ -66,7 +66,7 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
       const bool rows_added = gains && model.add_broken_rows(moves, gain);
       const bool pieces_added = model.add_pressed_pieces(solution);
       if (rows_added || pieces_added) {
-        model.mend(solution);
+        model.solve_locally(solution);
         continue;
       }
     }
@@ -84,7 +84,7 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     }
     const bool foresees = step.programs >= tuning.foresight_after;
     if ((foresees && model.add_pairs(model.ahead_of(moves, proved.conflicts))) || model.add_pairs(proved.conflicts)) {
-      model.mend(solution);
+      model.solve_locally(solution);
     } else {
       model.tie(proved.conflicts);
     }

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/lp/solver/mend.h"
+#include "core/lp/solver/solve_locally.h"
 #include "core/model/snap.h"
 
 namespace selvage::motion::step {
@@ -70,9 +70,9 @@ RoundModel::RoundModel(const scene::Scene& scene, const Goal& goal, const StepSe
 }
 
 lp::LpSolution RoundModel::solve() {
-  if (mended_) return *std::exchange(mended_, {});
+  if (local_) return *std::exchange(local_, {});
   ++programs_;
-  mendings_ = 0;
+  local_solutions_ = 0;
   run_.observer.on_stage(scene::Stage::kSolve);
   run_.observer.on_program(model_->program());
   lp::solver::LpLimits limits;
@@ -80,17 +80,19 @@ lp::LpSolution RoundModel::solve() {
   return lp::solver::solve(model_->program(), settings_.solver, limits, run_.stop, *run_.executor);
 }
 
-void RoundModel::mend(const lp::LpSolution& solution) {
+void RoundModel::solve_locally(const lp::LpSolution& solution) {
   const StepTuning& tuning = settings_.tuning;
-  if (goal_.fixes_length() || scene_.pieces.size() < tuning.mended_from || mendings_ == tuning.mendings) return;
-  ++mendings_;
+  if (goal_.fixes_length() || scene_.pieces.size() < tuning.solved_locally_from ||
+      local_solutions_ == tuning.local_solutions)
+    return;
+  ++local_solutions_;
   run_.observer.on_stage(scene::Stage::kSolve);
   const lp::LinearProgram& program = model_->program();
-  auto x = lp::solver::mended(program, solution.x, run_.stop, *run_.executor);
+  auto x = lp::solver::solved_locally(program, solution.x, run_.stop, *run_.executor);
   if (!x) return;
   const double objective = std::inner_product(x->begin(), x->end(), program.cost.begin(), 0.0);
-  if (-objective < tuning.mended_gain * -solution.objective) return;
-  mended_ = lp::LpSolution{solution.status, *std::move(x), solution.dual, objective, solution.iterations};
+  if (-objective < tuning.local_gain * -solution.objective) return;
+  local_ = lp::LpSolution{solution.status, *std::move(x), solution.dual, objective, solution.iterations};
 }
 
 Moves RoundModel::moves(const lp::LpSolution& solution) const {

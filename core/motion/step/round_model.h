@@ -26,14 +26,14 @@ class RoundModel {
   RoundModel(const RoundModel&) = delete;
   RoundModel& operator=(const RoundModel&) = delete;
 
-  // The mended solution, if there is one that was not returned yet; otherwise solves the program.
+  // Solves the program, unless solve_locally() has left a solution that was not returned yet.
   [[nodiscard]] lp::LpSolution solve();
-  // How often the program was solved.
+  // How often the whole program was solved.
   [[nodiscard]] int programs() const { return programs_; }
-  // Mends the solution where rows that were added since break it (core/lp/solver/mend.h); the dual values of those rows
-  // are missing in the result.  Does nothing in markers that are not mended (StepTuning), and where that is not
-  // possible or loses too much of the gain.
-  void mend(const lp::LpSolution& solution);
+  // Solves the program again only around the rows that were added since and that the solution breaks
+  // (core/lp/solver/solve_locally.h); the next solve() returns the result, without dual values of those rows.  Does
+  // nothing in small markers (StepTuning), and where no solution is found or too much of the gain would be lost.
+  void solve_locally(const lp::LpSolution& solution);
   // What an optimal solution asks for.
   [[nodiscard]] Moves moves(const lp::LpSolution& solution) const;
 
@@ -89,9 +89,9 @@ class RoundModel {
   std::size_t first_rows_{};  // of the first program
   std::optional<model::PositionModel> model_;
   std::vector<std::pair<int, std::size_t>> row_of_;  // rows of the program, each with its index in rows_
-  std::optional<lp::LpSolution> mended_;             // for solve() to return
+  std::optional<lp::LpSolution> local_;              // for solve() to return
   int programs_{};
-  int mendings_{};  // since the program was solved
+  int local_solutions_{};  // since the whole program was solved
 };
 
 }  // namespace selvage::motion::step

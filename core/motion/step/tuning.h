@@ -21,13 +21,14 @@ struct StepTuning {
   std::size_t spare_rows{200};  // by which a program may grow in any case
   // Near, for foresight_after, means within this fraction of the trust radius.
   double foresight{0.3};
-  // Where a marker of at least this many pieces is shortened, a solution that breaks rows which were left out is mended
-  // around these rows (core/lp/solver/mend.h), up to so many times, before the whole program is solved again.  Shorter
-  // markers take no less time with it.
-  std::size_t mended_from{500};
-  int mendings{20};
-  // A mended solution has to gain at least this fraction of what the solution gained.
-  double mended_gain{0.9};
+  // Where a marker of at least this many pieces is shortened, a program whose solution breaks rows that were left out
+  // is solved again only around these rows (core/lp/solver/solve_locally.h).  Smaller markers take no less time with
+  // it.
+  std::size_t solved_locally_from{500};
+  // The whole program is solved again after this many local solutions,
+  int local_solutions{20};
+  // and when one gains less than this fraction of what the solution before it gained.
+  double local_gain{0.9};
   // The moves of the last program are halved up to this many times, until no two pieces collide.
   int halvings{16};
   // With at most this many free pieces, a round at fixed length models all of them at once: one program of so few

@@ -1,7 +1,6 @@
 #include "core/outline/enclosed/slit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <span>

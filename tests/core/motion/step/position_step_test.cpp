@@ -83,15 +83,15 @@ TEST_P(PositionStepOfGarments, AProgramThatHasOutgrownTheFirstIsTheLastOfItsRoun
   for (std::size_t k = 0; k + 1 < limited.size(); ++k) EXPECT_LE(limited[k], most);
 }
 
-// Where rows enter late, the solution is mended around them instead of solving the whole program again.
-TEST_P(PositionStepOfGarments, AMendedRoundSolvesFewerProgramsForMostOfTheGain) {
+// Where rows enter late, the program is solved again only around them.
+TEST_P(PositionStepOfGarments, LocalSolutionsSaveProgramsAndKeepMostOfTheGain) {
   const Marker marker = test::loosened(test::garment(GetParam()), 0.05);
   SumCache sums;
   const scene::Scene scene{marker, sums};
   const Goal goal = leftward_goal(scene, 0.003);
   const PositionStep solved = position_step(scene, goal, {.trust = kTrust}, {sums});
-  const StepTuning mending{.mended_from = 0, .mended_gain = 0.5};
-  const PositionStep step = position_step(scene, goal, {.trust = kTrust, .tuning = mending}, {sums});
+  const StepTuning local{.solved_locally_from = 0, .local_gain = 0.5};
+  const PositionStep step = position_step(scene, goal, {.trust = kTrust, .tuning = local}, {sums});
   ASSERT_EQ(step.end, StepEnd::kMoved);
   EXPECT_LT(step.programs, solved.programs);
   EXPECT_GT(step.gain, 0.5 * solved.gain);

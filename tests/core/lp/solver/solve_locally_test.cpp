@@ -1,5 +1,5 @@
-// Solutions that are mended around rows which they break.
-#include "core/lp/solver/mend.h"
+// Programs that are solved again only around the rows that a solution breaks.
+#include "core/lp/solver/solve_locally.h"
 
 #include <gtest/gtest.h>
 
@@ -32,60 +32,60 @@ std::vector<double> zeros_but(const std::vector<std::pair<std::size_t, double>>&
   return x;
 }
 
-TEST(Mend, LeavesASolutionThatBreaksNothing) {
+TEST(SolveLocally, LeavesASolutionThatBreaksNothing) {
   LinearProgram program = separate_columns();
   add_distance(program, 3, 4, -1);
   const std::vector<double> x = zeros_but({{3, 0.5}});
-  EXPECT_EQ(mended(program, x), x);
+  EXPECT_EQ(solved_locally(program, x), x);
 }
 
-TEST(Mend, ChangesTheColumnsOfABrokenRow) {
+TEST(SolveLocally, ChangesTheColumnsOfABrokenRow) {
   LinearProgram program = separate_columns();
   add_distance(program, 3, 4, 2);
   add_distance(program, 800, 700, 3);
-  const auto x = mended(program, zeros_but({{5, 7}}));
+  const auto x = solved_locally(program, zeros_but({{5, 7}}));
   ASSERT_TRUE(x);
   EXPECT_EQ(*x, zeros_but({{4, 2}, {5, 7}, {700, 3}}));
 }
 
-TEST(Mend, ChangesNeighboursWhereTheColumnsOfTheRowDoNotSuffice) {
+TEST(SolveLocally, ChangesNeighboursWhereTheColumnsOfTheRowDoNotSuffice) {
   LinearProgram program = separate_columns();
   add_distance(program, 3, 4, 2);
   add_distance(program, 4, 5, 0);
   add_distance(program, 5, 6, -1.5);
   add_distance(program, 6, 7, -9);
-  const auto x = mended(program, zeros_but({}));
+  const auto x = solved_locally(program, zeros_but({}));
   ASSERT_TRUE(x);
   EXPECT_EQ(*x, zeros_but({{4, 2}, {5, 2}, {6, 0.5}}));
 }
 
-TEST(Mend, NeverMovesAFixedColumn) {
+TEST(SolveLocally, NeverMovesAFixedColumn) {
   LinearProgram program = separate_columns();
   program.upper[4] = 0;
   add_distance(program, 4, 3, 2);
-  EXPECT_EQ(mended(program, zeros_but({})), zeros_but({{3, 2}}));
+  EXPECT_EQ(solved_locally(program, zeros_but({})), zeros_but({{3, 2}}));
   program.upper[3] = 1;
-  EXPECT_FALSE(mended(program, zeros_but({})));
+  EXPECT_FALSE(solved_locally(program, zeros_but({})));
 }
 
-TEST(Mend, GivesUpWhereTooManyColumnsWouldChange) {
+TEST(SolveLocally, GivesUpWhereTooManyColumnsWouldChange) {
   LinearProgram program = separate_columns();
   for (int j = 0; j + 1 < 500; ++j) add_distance(program, j, j + 1, 0);
   program.bound[0] = 2;
-  EXPECT_FALSE(mended(program, zeros_but({})));
+  EXPECT_FALSE(solved_locally(program, zeros_but({})));
 }
 
-TEST(Mend, EndsWhenCancelled) {
+TEST(SolveLocally, EndsWhenCancelled) {
   LinearProgram program = separate_columns();
   add_distance(program, 3, 4, 2);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(mended(program, zeros_but({}), stop.get_token()));
+  EXPECT_FALSE(solved_locally(program, zeros_but({}), stop.get_token()));
 }
 
 // Compaction steps that were solved without some of their rows.  They shorten the strip by a tenth of what is possible,
 // so that there is room.
-TEST(Mend, MakesCompactionStepsFeasibleWithoutBeatingTheOptimum) {
+TEST(SolveLocally, MakesCompactionStepsFeasibleWithoutBeatingTheOptimum) {
   const protocol::execution::ThreadPool pool{3};
   int broken = 0;
   int found = 0;
@@ -105,13 +105,13 @@ TEST(Mend, MakesCompactionStepsFeasibleWithoutBeatingTheOptimum) {
     ASSERT_EQ(best.status, LpStatus::kOptimal);
     if (infeasibility(program, solution.x) < 1e-6) continue;
     ++broken;
-    const auto x = mended(program, solution.x);
+    const auto x = solved_locally(program, solution.x);
     if (!x) continue;
     ++found;
     EXPECT_LE(infeasibility(program, *x), allowed_violation(program));
     const double cost = std::inner_product(x->begin(), x->end(), program.cost.begin(), 0.0);
     EXPECT_GE(cost, best.objective - 1e-6 * (1 + std::abs(best.objective)));
-    EXPECT_EQ(mended(program, solution.x, {}, pool), x);
+    EXPECT_EQ(solved_locally(program, solution.x, {}, pool), x);
   }
   EXPECT_GE(broken, 20);
   EXPECT_GE(found, 5);

@@ -1,4 +1,4 @@
-#include "core/lp/solver/mend.h"
+#include "core/lp/solver/solve_locally.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace selvage::lp::solver {
 namespace {
 
 constexpr int kNone = -1;
-// The rows that threads share at a time.  Where one of them cannot be mended, the work on the others was for nothing.
+// The rows that threads share at a time.  When one of them finds no room, the work on the others is wasted.
 constexpr std::size_t kRowsAtOnce = 4;
 // The cost of a unit by which broken rows give way, as a multiple of the largest cost: no row's price comes near it.
 constexpr double kCostOfGiving = 1000;
@@ -142,9 +142,9 @@ std::vector<double> Part::solved(double allowed, const std::stop_token& stop) co
   return std::move(solution.x);
 }
 
-class Mending {
+class LocalSolution {
  public:
-  Mending(const LinearProgram& program, std::vector<double> x, const std::stop_token& stop)
+  LocalSolution(const LinearProgram& program, std::vector<double> x, const std::stop_token& stop)
       : program_{program}, stop_{stop}, rows_of_{program}, allowed_{allowed_violation(program)}, x_{std::move(x)} {}
 
   [[nodiscard]] bool is_broken(int row) const { return shortfall(program_, x_, row) > allowed_; }
@@ -163,12 +163,12 @@ class Mending {
   std::vector<double> x_;
 };
 
-Change Mending::change_around(int row) const {
+Change LocalSolution::change_around(int row) const {
   Part part{program_, rows_of_, x_};
   part.add_columns_of(row);
   Change change;
   do {
-    if (part.columns().size() > kMostMended || stop_.stop_requested()) break;
+    if (part.columns().size() > kMostLocalColumns || stop_.stop_requested()) break;
     change.work += part.columns().size();
     change.values = part.solved(allowed_, stop_);
   } while (change.values.empty() && part.grow());
@@ -176,7 +176,7 @@ Change Mending::change_around(int row) const {
   return change;
 }
 
-bool Mending::make(const Change& change) {
+bool LocalSolution::make(const Change& change) {
   std::vector<double> before;
   for (std::size_t k = 0; k < change.columns.size(); ++k) {
     before.push_back(std::exchange(x_[to_index(change.columns[k])], change.values[k]));
@@ -204,26 +204,26 @@ std::vector<int> without_shared_columns(const LinearProgram& program, const std:
 
 }  // namespace
 
-std::optional<std::vector<double>> mended(const LinearProgram& program, std::vector<double> x,
-                                          const std::stop_token& stop, const Executor& executor) {
-  Mending mending{program, std::move(x), stop};
+std::optional<std::vector<double>> solved_locally(const LinearProgram& program, std::vector<double> x,
+                                                  const std::stop_token& stop, const Executor& executor) {
+  LocalSolution local{program, std::move(x), stop};
   std::vector<int> broken(to_index(program.rows()));
   std::iota(broken.begin(), broken.end(), 0);
-  const auto keep_broken = [&] { std::erase_if(broken, [&](int row) { return !mending.is_broken(row); }); };
+  const auto keep_broken = [&] { std::erase_if(broken, [&](int row) { return !local.is_broken(row); }); };
   std::size_t work = 0;
   for (keep_broken(); !broken.empty(); keep_broken()) {
     const std::vector<int> rows = without_shared_columns(program, broken);
     std::vector<Change> changes(rows.size());
-    executor.for_each(rows.size(), [&](std::size_t k) { changes[k] = mending.change_around(rows[k]); });
+    executor.for_each(rows.size(), [&](std::size_t k) { changes[k] = local.change_around(rows[k]); });
     bool changed = false;
     for (const Change& change : changes) {
       work += change.work;
       if (change.values.empty() || work > program.cost.size()) return std::nullopt;
-      changed = mending.make(change) || changed;
+      changed = local.make(change) || changed;
     }
     if (!changed) return std::nullopt;
   }
-  return std::move(mending).result();
+  return std::move(local).result();
 }
 
 }  // namespace selvage::lp::solver
