@@ -98,6 +98,22 @@ TEST(Threads, CompactLongMarkers) {
   expect_same_outcome(standard(loose), "1200 pieces");
 }
 
+// Compares results but not the cache, because two sections may miss the same sum at the same time.
+TEST(Threads, CompactSections) {
+  const Marker marker = test::tiled(test::garment("jeans_02g"), 1200 / kSlowdown);
+  const Marker loose = test::loosened(marker, 0.05);
+  motion::compaction::CompactionSettings sections = compaction_settings(motion::compaction::Accuracy::kStandard);
+  sections.tuning.sections.many = 0;
+  sections.tuning.sections.pieces = 100;
+  sections.tuning.hard_round = 1;
+  expect_same_outcome(
+      [&](const scene::Run& run) {
+        SumCache own;
+        return compact(loose, sections, {own, run.stop, run.observer, run.executor});
+      },
+      "in sections");
+}
+
 TEST(Threads, CompactRandomMarkers) {
   Random random{162};
   for (int trial = 0; trial < 60 / kSlowdown; ++trial) {

@@ -16,6 +16,12 @@ namespace {
 // shorter and moves pieces less.
 constexpr int kInteriorPointFromRows = 60;
 constexpr double kLargestInfeasibility = 1e-9;
+// From this many rows on, simplex takes far longer than the interior point method to find that a program is infeasible.
+constexpr int kPhaseOneFirstFromRows = 2000;
+// With more columns than this, simplex would take minutes where the interior point method has failed.
+constexpr int kMostColumnsOfSimplex = 5000;
+// An infeasibility that rounding cannot have made.
+constexpr double kClearInfeasibility = 1e-6;
 
 // Detects programs that neither solver should be given.  kFailed: not a linear program.
 LpStatus precheck(const LinearProgram& program) {
@@ -54,6 +60,13 @@ LpStatus confirmed_status(const LinearProgram& program, LpStatus reported, const
   return reported == LpStatus::kUnbounded ? reported : LpStatus::kFailed;
 }
 
+// True when the rows of a large program have to be relaxed by far more than rounding.
+bool is_clearly_infeasible(const LinearProgram& program, const std::stop_token& stop, const Executor& executor) {
+  if (program.rows() < kPhaseOneFirstFromRows) return false;
+  const LpSolution phase_one = interior_point::solve_by_interior_point(phase_one_program(program), {}, stop, executor);
+  return phase_one.status == LpStatus::kOptimal && phase_one.objective > kClearInfeasibility;
+}
+
 }  // namespace
 
 double allowed_violation(const LinearProgram& program) {
@@ -76,6 +89,8 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   const bool interior_first = prefers_interior_point(program, choice);
   if (interior_first) {
     if (auto solution = interior()) return *solution;
+    if (is_clearly_infeasible(program, stop, executor)) return {.status = LpStatus::kInfeasible};
+    if (program.columns() > kMostColumnsOfSimplex) return {.status = LpStatus::kFailed};
   }
   LpSolution vertex = solve_by_simplex(program, limits.iterations, stop);
   const bool conclusive = vertex.status == LpStatus::kOptimal || vertex.status == LpStatus::kWorkLimit;

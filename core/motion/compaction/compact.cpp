@@ -45,6 +45,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
               .least_gain = 2e-5,
               .trust = 0.1,
               .gravity = 0.003,
+              .sections = true,
               .sweeps = true,
               .region = model::RegionRule::kGreedy,
               .solver = lp::solver::SolverChoice::kAutomatic,
@@ -55,6 +56,7 @@ CompactionSettings compaction_settings(Accuracy accuracy) {
                           .least_gain = 1e-8,
                           .trust = 0.3,
                           .gravity = 0.003,
+                          .sections = true,
                           .sweeps = true,
                           .region = model::RegionRule::kGreedy,
                           .solver = lp::solver::SolverChoice::kAutomatic};
@@ -91,12 +93,14 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   const double widths = static_cast<double>(scene.pieces.length()) / static_cast<double>(scene.marker.strip.width);
   const double least_gain =
       settings.least_gain * (goal.shorten > 0 ? std::max(1.0, widths / settings.tuning.long_from) : 1.0);
+  if (settings.hard_round > 0) step_settings.tuning.programs = settings.hard_round;
   step_settings.worth = std::min(settings.least_gain, settings.tuning.little);
   std::vector<model::PairRow> pressed;
   while (progress.rounds < settings.rounds) {
     step::PositionStep step = position_step(scene, goal, step_settings, run);
     pressed = std::move(step.pressed);
     progress.programs += step.programs;
+    progress.hard = settings.hard_round > 0 && step.programs >= settings.hard_round;
     run.observer.on_stage(scene::Stage::kOther);
     if (step.end != step::StepEnd::kMoved || run.stopped()) {
       progress.reason = run.stopped() ? scene::StopReason::kCancelled : reason_of(step.end);
@@ -119,6 +123,7 @@ Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSe
       progress.reason = scene::StopReason::kConverged;
       break;
     }
+    if (progress.hard) break;
   }
   const double touching = settings.tuning.touching * static_cast<double>(scene.marker.strip.width);
   progress.firm = settings.sweeps && progress.reason != scene::StopReason::kSolverFailed && !run.stopped() &&

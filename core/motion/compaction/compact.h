@@ -29,6 +29,8 @@ struct CompactionSettings {
   double trust{};    // trust radius: in the first round, pairs within this part of the width are neighbours, or closer
                      // ones where pieces are tiny (CompactionTuning); in later rounds closer ones (position_step.h)
   double gravity{};  // weight of the mean leftward motion, relative to the length
+  bool sections{};   // markers of many pieces whose rounds are hard are shortened in sections (core/motion/sections)
+  int hard_round{};  // rounds end with one that solves this many programs; 0: they do not
   bool sweeps{};     // single-piece moves look for ways that the programs do not have (escape.h)
   model::RegionRule region{};
   lp::solver::SolverChoice solver{};
@@ -52,6 +54,7 @@ struct Progress {
   int rounds{};
   int programs{};  // linear programs solved
   double gain{};   // of the goal; lattice units
+  bool hard{};     // the last round solved as many programs as CompactionSettings::hard_round
   bool firm{};     // everything that the last program pressed on is a real contact (core/model/contacts/contact.h);
                    // known only with CompactionSettings::sweeps
 };

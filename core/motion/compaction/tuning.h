@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "core/motion/sections/tuning.h"
 #include "core/motion/step/tuning.h"
 
 namespace selvage::motion::compaction {
@@ -22,7 +23,10 @@ struct CompactionTuning {
   std::size_t many_loose{64};  // gaps that at least this many pieces lie behind are closed first (core/motion/closing)
   int sweeps{200};             // single-piece sweeps at a time, at most
   std::size_t most_pieces_swept{5000};  // markers with more pieces are not swept, because it would take too long
-  step::StepTuning step{};              // of each round
+  sections::SectionTuning sections{};
+  int hard_round{3};  // a round that solves this many programs is hard: sections take less time than more of them
+  double section_gain{3e-3};  // part of the width: the rounds of a section end with the first one that gains less
+  step::StepTuning step{};    // of each round
   friend bool operator==(const CompactionTuning&, const CompactionTuning&) = default;
 };
 

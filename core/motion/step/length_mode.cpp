@@ -23,6 +23,13 @@ void for_each_beyond(const NearPairs& near, const Moves& moves, const Visit& vis
   }
 }
 
+// Appends the rows by which the two pieces move against each other by at most `limit` on an axis, where they now move
+// farther.
+void append_limits(marker::PiecePair pair, RealVec by, double limit, std::vector<model::PairRow>& rows) {
+  if (std::abs(by.x) > limit) rows.push_back({pair, by.x > 0 ? -1.0 : 1.0, 0, -limit});
+  if (std::abs(by.y) > limit) rows.push_back({pair, 0, by.y > 0 ? -1.0 : 1.0, -limit});
+}
+
 class FixedLength final : public LengthMode {
  public:
   FixedLength(const scene::Scene& scene, const StepSettings& settings, const NearPairs& near)
@@ -45,11 +52,13 @@ class FixedLength final : public LengthMode {
                                      model::TightRows /*tight*/) const override {
     BrokenRows broken;
     for_each_beyond(near_, moves, [&](std::size_t k, RealVec by, double /*distance*/) {
-      const double limit = near_.motion();
-      if (std::abs(by.x) > limit) broken.rows.push_back({near_.pairs()[k], by.x > 0 ? -1.0 : 1.0, 0, -limit});
-      if (std::abs(by.y) > limit) broken.rows.push_back({near_.pairs()[k], 0, by.y > 0 ? -1.0 : 1.0, -limit});
+      append_limits(near_.pairs()[k], by, near_.motion(), broken.rows);
     });
     return broken;
+  }
+
+  [[nodiscard]] std::vector<model::PairRow> limits_of_flights(const Moves& /*moves*/, double /*limit*/) const override {
+    return {};
   }
 
  private:
@@ -105,6 +114,14 @@ class Shortening final : public LengthMode {
       if (beyond && !model.has_right_wall(i)) broken.right_walls.push_back(i);
     }
     return broken;
+  }
+
+  [[nodiscard]] std::vector<model::PairRow> limits_of_flights(const Moves& moves, double limit) const override {
+    std::vector<model::PairRow> rows;
+    for_each_beyond(near_, moves, [&](std::size_t k, RealVec by, double distance) {
+      if (distance > limit * (1 + kSolverTolerance)) append_limits(near_.pairs()[k], by, limit, rows);
+    });
+    return rows;
   }
 
  private:

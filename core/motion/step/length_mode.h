@@ -48,6 +48,9 @@ class LengthMode {
   // What the moves, a solution of `model`, break.
   [[nodiscard]] virtual BrokenRows broken_by(const Moves& moves, const model::PositionModel& model,
                                              model::TightRows tight) const = 0;
+  // Rows that end flights, which are moves of near pairs against each other by more than `limit` on an axis: programs
+  // that shorten the marker do not limit them.
+  [[nodiscard]] virtual std::vector<model::PairRow> limits_of_flights(const Moves& moves, double limit) const = 0;
 };
 
 // The mode that the goal asks for.  The referenced values must outlive it.

@@ -52,8 +52,8 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     const lp::LpSolution solution = model.solve();
     step.programs = model.programs();
     last = step.programs >= tuning.programs || model.has_outgrown();
-    if (solution.status == lp::LpStatus::kInfeasible && model.make_feasible()) continue;
     if (solution.status == lp::LpStatus::kStopped) return ended(StepEnd::kStopped);
+    if (solution.status != lp::LpStatus::kOptimal && model.make_feasible()) continue;
     if (solution.status != lp::LpStatus::kOptimal) return ended(StepEnd::kSolverFailed);
 
     run.observer.on_stage(scene::Stage::kVerify);
@@ -81,6 +81,10 @@ PositionStep position_step(const scene::Scene& scene, const Goal& goal, const St
     if (proved.moved) {
       finish(scene, goal, model, proved, step);
       return step;
+    }
+    if (step.programs >= tuning.flights_after && model.limit_flights(moves)) {
+      model.solve_locally(solution);
+      continue;
     }
     const bool foresees = step.programs >= tuning.foresight_after;
     if ((foresees && model.add_pairs(model.ahead_of(moves, proved.conflicts))) || model.add_pairs(proved.conflicts)) {

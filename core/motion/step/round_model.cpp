@@ -82,8 +82,7 @@ lp::LpSolution RoundModel::solve() {
 
 void RoundModel::solve_locally(const lp::LpSolution& solution) {
   const StepTuning& tuning = settings_.tuning;
-  if (goal_.fixes_length() || scene_.pieces.size() < tuning.solved_locally_from ||
-      local_solutions_ == tuning.local_solutions)
+  if (goal_.fixes_length() || scene_.pieces.size() < tuning.large_marker || local_solutions_ == tuning.local_solutions)
     return;
   ++local_solutions_;
   run_.observer.on_stage(scene::Stage::kSolve);
@@ -186,6 +185,16 @@ std::vector<marker::PiecePair> RoundModel::ahead_of(const Moves& moves,
   std::erase_if(pairs,
                 [&](const marker::PiecePair& pair) { return collides[pair.first] == 0 && collides[pair.second] == 0; });
   return pairs;
+}
+
+bool RoundModel::limit_flights(const Moves& moves) {
+  if (scene_.pieces.size() < settings_.tuning.large_marker) return false;
+  const auto limits = length_->limits_of_flights(moves, settings_.tuning.flight * near_.motion());
+  for (const model::PairRow& row : limits) {
+    rows_.push_back(row);
+    add_row(rows_.size() - 1);
+  }
+  return !limits.empty();
 }
 
 void RoundModel::tie(const std::vector<marker::PiecePair>& pairs) {

@@ -54,6 +54,10 @@ class RoundModel {
   // The pairs that are near each other after the moves and contain one of the colliding pieces.
   [[nodiscard]] std::vector<marker::PiecePair> ahead_of(const Moves& moves,
                                                         const std::vector<marker::PiecePair>& colliding) const;
+  // In a large marker, limits how far near pieces move against each other, where these moves take them far
+  // (StepTuning): pieces that nothing holds would otherwise fly over many others, which one program after another has
+  // to learn of. True when there were any.
+  bool limit_flights(const Moves& moves);
   // Pieces that collide after rounding although their pairs are modelled move as one from now on: their relative
   // position, which is valid now, stays.
   void tie(const std::vector<marker::PiecePair>& pairs);

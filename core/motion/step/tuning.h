@@ -21,10 +21,14 @@ struct StepTuning {
   std::size_t spare_rows{200};  // by which a program may grow in any case
   // Near, for foresight_after, means within this fraction of the trust radius.
   double foresight{0.3};
-  // Where a marker of at least this many pieces is shortened, a program whose solution breaks rows that were left out
-  // is solved again only around these rows (core/lp/solver/solve_locally.h).  Smaller markers take no less time with
-  // it.
-  std::size_t solved_locally_from{500};
+  // A marker of at least this many pieces is large.  Where it is shortened, flights are limited, and a program whose
+  // solution breaks rows that were left out is solved again only around these rows (core/lp/solver/solve_locally.h).
+  // Smaller markers take no less time with it.
+  std::size_t large_marker{500};
+  // From this program on, when pieces of a large marker collide, near pieces move against each other by at most this
+  // multiple of NearPairs::motion.
+  int flights_after{2};
+  double flight{4};
   // The whole program is solved again after this many local solutions,
   int local_solutions{20};
   // and when one gains less than this fraction of what the solution before it gained.

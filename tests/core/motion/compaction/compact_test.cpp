@@ -260,6 +260,33 @@ TEST(Compact, CompactingAgainGainsNothing) {
             1e-5 * static_cast<double>(once.marker.strip.width));
 }
 
+// Every round counts as hard, so that sections are used between the first one and the last ones.
+TEST(Compact, ReportsPassesOverSectionsAsRounds) {
+  Layout layout{1000};
+  const auto wedge = layout.shape_of({{0, 0}, {300, 100}, {0, 200}});
+  for (int k = 0; k < 120; ++k) layout.put(wedge, {320 * (k / 4), 250 * (k % 4)});
+  CompactionSettings settings = kStandard;
+  settings.tuning.sections.many = 100;
+  settings.tuning.sections.pieces = 30;
+  settings.tuning.hard_round = 1;
+  settings.sweeps = false;
+  SumCache sums;
+  std::vector<scene::Round> rounds;
+  scene::Run run{sums};
+  run.observer.on_round = [&](const scene::Round& round) { rounds.push_back(round); };
+  const auto result = compact(layout.marker(), settings, run);
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(is_valid(result->marker));
+  EXPECT_LT(result->length_after, 0.95 * static_cast<double>(result->length_before));
+  ASSERT_EQ(rounds.size(), static_cast<std::size_t>(result->rounds));
+  Coord last = result->length_before;
+  for (std::size_t k = 0; k < rounds.size(); ++k) {
+    EXPECT_EQ(rounds[k].number, static_cast<int>(k) + 1);
+    EXPECT_LE(rounds[k].length, last);
+    last = rounds[k].length;
+  }
+}
+
 TEST(Compact, HandlesAPieceInsideTheBoxOfAnother) {
   // A frame open to the right holds a small square; both can move.
   Layout layout{1000};

@@ -90,7 +90,7 @@ TEST_P(PositionStepOfGarments, LocalSolutionsSaveProgramsAndKeepMostOfTheGain) {
   const scene::Scene scene{marker, sums};
   const Goal goal = leftward_goal(scene, 0.003);
   const PositionStep solved = position_step(scene, goal, {.trust = kTrust}, {sums});
-  const StepTuning local{.solved_locally_from = 0, .local_gain = 0.5};
+  const StepTuning local{.large_marker = 0, .local_gain = 0.5};
   const PositionStep step = position_step(scene, goal, {.trust = kTrust, .tuning = local}, {sums});
   ASSERT_EQ(step.end, StepEnd::kMoved);
   EXPECT_LT(step.programs, solved.programs);
