@@ -65,7 +65,7 @@ Coord SectionPasses::pass(double offset) {
   std::vector<std::optional<MovedSection>> moved(sections.size());
   std::vector<SectionGain> gains(sections.size());
   run_.executor->for_each(sections.size(), [&](std::size_t s) {
-    if (is_settled(sections[s])) return;
+    if (is_settled(sections[s]) || run_.stopped()) return;
     const scene::Run run = run_of_section();
     SectionScene own = scene_of(sections[s], scene_, run);
     gains[s] = shorten_(own.scene, run);
