@@ -90,6 +90,7 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   if (interior_first) {
     if (auto solution = interior()) return *solution;
     if (is_clearly_infeasible(program, stop, executor)) return {.status = LpStatus::kInfeasible};
+    if (stop.stop_requested()) return {.status = LpStatus::kStopped};
     if (program.columns() > kMostColumnsOfSimplex) return {.status = LpStatus::kFailed};
   }
   LpSolution vertex = solve_by_simplex(program, limits.iterations, stop);

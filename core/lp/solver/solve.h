@@ -1,8 +1,10 @@
 // The linear program solvers behind one function.
 //
 // Small programs, and those where a vertex matters, are solved by the simplex method (COIN-OR Clp), large ones by the
-// interior point method; each is the fallback of the other.  When simplex finds no optimum, the result is confirmed by
-// the interior point method on the phase one program (core/lp/phase_one_program.h).
+// interior point method; each is the fallback of the other, except that simplex, which would take minutes, is not tried
+// on programs of thousands of columns.  When simplex finds no optimum, the result is confirmed by the interior point
+// method on the phase one program (core/lp/phase_one_program.h); where a large program has no solution, the phase one
+// program shows it without simplex.
 #pragma once
 
 #include <stop_token>

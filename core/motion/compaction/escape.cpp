@@ -13,7 +13,7 @@
 namespace selvage::motion::compaction {
 namespace {
 
-// Adds what came of later rounds.
+// Adds the outcome of later rounds.
 void add(const Progress& more, Progress& progress) {
   progress.reason = more.reason;
   progress.rounds += more.rounds;

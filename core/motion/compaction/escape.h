@@ -22,9 +22,10 @@ namespace selvage::motion::compaction {
 
 inline constexpr std::size_t kFewPieces = 24;  // whose sweeps take milliseconds
 
-// Closes large gaps (core/motion/closing); then rounds towards the goal, and sweeps as above where the settings allow
-// them. Law: the answer is never longer than that of sweeps alone, unless cancelled, in a marker of few pieces and in a
-// loose one of not too many (CompactionTuning). REQUIRES: the goal shortens the marker; the scene's pieces are valid.
+// Closes large gaps (core/motion/closing); then rounds towards the goal, with passes over sections between them where
+// the marker has many pieces (core/motion/sections), and sweeps as above where the settings allow them. Law: the answer
+// is never longer than that of sweeps alone, unless cancelled, in a marker of few pieces and in a loose one of not too
+// many (CompactionTuning). REQUIRES: the goal shortens the marker; the scene's pieces are valid.
 [[nodiscard]] Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
                                const scene::Run& run);
 

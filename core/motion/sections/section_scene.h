@@ -20,7 +20,7 @@ struct SectionScene {
 // REQUIRES: can_be_divided(whole).
 [[nodiscard]] SectionScene scene_of(const Section& section, const scene::Scene& whole, const scene::Run& run);
 
-// What came of a section.
+// The result of shortening a section.
 struct MovedSection {
   std::vector<Vec> positions;  // of its free pieces in the whole marker, as if its left layer had not moved
   Coord shift{};               // by which its right layer moved along the strip; 0 when there is none

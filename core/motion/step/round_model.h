@@ -37,8 +37,9 @@ class RoundModel {
   // What an optimal solution asks for.
   [[nodiscard]] Moves moves(const lp::LpSolution& solution) const;
 
-  // The program is infeasible: activates the neighbours of the active pieces or, when none of them could move, lets
-  // pairs without room for their rows' margins keep the room they have.  False when that has been tried already.
+  // The program is infeasible, or no solver could solve it: activates the neighbours of the active pieces or, when none
+  // of them could move, lets pairs without room for their rows' margins keep the room they have.  False when that has
+  // been tried already.
   bool make_feasible();
   // Adds the rows that were left out and that the moves break.  True when there were any.  Moves that gain less than
   // StepSettings::worth do not deserve another program: they are scaled down until they keep these rows.
