@@ -9,7 +9,6 @@ namespace {
 
 using packing::branching::Chosen;
 using packing::cells::HalfPlane;
-using packing::cells::RealBox;
 using Entry = lp::LinearProgram::Entry;
 
 class ProgramMaker {

@@ -10,7 +10,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::geometry {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::geometry {
 namespace {

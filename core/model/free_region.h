@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 #include "core/minkowski/cache.h"
 
 namespace selvage::model {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/free_region.h"
 #include "core/model/model_unit.h"

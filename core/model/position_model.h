@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 #include "core/lp/linear_program.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/model_unit.h"

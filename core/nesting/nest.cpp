@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "core/motion/compaction/sweep.h"
+#include "core/motion/piece/sweep.h"
 #include "core/nesting/batches/batch_share.h"
 #include "core/nesting/cloth_end.h"
 #include "core/nesting/filling/lying.h"
@@ -104,7 +104,7 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
 Marker swept(const Marker& marker, const scene::Run& run) {
   scene::Scene scene{marker, run.sums};
   int sweeps = 0;
-  (void)motion::compaction::sweep_until_still(scene, {.sweeps = 1}, run.quiet(), sweeps);
+  (void)motion::piece::sweep_until_still(scene, {.sweeps = 1}, run.quiet(), sweeps);
   return scene.result();
 }
 

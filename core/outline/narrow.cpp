@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::outline {
 namespace {

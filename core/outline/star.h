@@ -8,7 +8,7 @@
 
 #include "core/geometry/orientation.h"
 #include "core/geometry/polygon.h"
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::outline {
 

@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/pair_rows.h"
 

@@ -6,7 +6,7 @@ Result<compaction::Compaction> compact_one_at_a_time(const Marker& start, const 
                                                      const scene::Run& run) {
   return compaction::shortened(start, run, [&](scene::Scene& scene) {
     compaction::Progress progress;
-    progress.reason = sweep_until_still(scene, settings, run, progress.rounds);
+    progress.reason = piece::sweep_until_still(scene, settings, run, progress.rounds);
     return progress;
   });
 }

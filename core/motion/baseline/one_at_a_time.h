@@ -1,13 +1,13 @@
 // One-piece-at-a-time compaction, the baseline that shows what moving all pieces at once gains: sweeps of single-piece
-// moves (core/motion/compaction/sweep.h) and nothing else [Li94 1.2.2, 4.2.3].
+// moves (core/motion/piece/sweep.h) and nothing else [Li94 1.2.2, 4.2.3].
 #pragma once
 
 #include "core/motion/compaction/compact.h"
-#include "core/motion/compaction/sweep.h"
+#include "core/motion/piece/sweep.h"
 
 namespace selvage::motion::baseline {
 
-using compaction::SweepSettings;
+using piece::SweepSettings;
 
 // Laws: those of compact().  The answer's rounds are sweeps; it solves no linear programs.  When cancelled, it stops
 // between two bumps and returns the marker as it is then.

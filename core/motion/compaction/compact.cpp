@@ -77,6 +77,16 @@ double first_trust(const scene::Scene& scene, const CompactionSettings& settings
   return trust;
 }
 
+Progress& Progress::operator+=(const Progress& later) {
+  reason = later.reason;
+  rounds += later.rounds;
+  programs += later.programs;
+  gain += later.gain;
+  hard = later.hard;
+  firm = later.firm;
+  return *this;
+}
+
 Progress improve(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
                  const scene::Run& run) {
   Progress progress;

@@ -57,6 +57,9 @@ struct Progress {
   bool hard{};     // the last round solved as many programs as CompactionSettings::hard_round
   bool firm{};     // everything that the last program pressed on is a real contact (core/model/contacts/contact.h);
                    // known only with CompactionSettings::sweeps
+
+  // Adds the outcome of later rounds.
+  Progress& operator+=(const Progress& later);
 };
 // Rounds of position_step until the goal stops improving: the core of every motion of many pieces at once.
 // REQUIRES: the scene's pieces are valid.

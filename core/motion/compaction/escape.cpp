@@ -1,26 +1,14 @@
 #include "core/motion/compaction/escape.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/marker/figures.h"
 #include "core/motion/closing/close_gaps.h"
-#include "core/motion/compaction/sweep.h"
-#include "core/motion/sections/section_scene.h"
-#include "core/motion/sections/shorten_in_sections.h"
+#include "core/motion/compaction/improve_divided.h"
+#include "core/motion/piece/sweep.h"
 
 namespace selvage::motion::compaction {
 namespace {
-
-// Adds the outcome of later rounds.
-void add(const Progress& more, Progress& progress) {
-  progress.reason = more.reason;
-  progress.rounds += more.rounds;
-  progress.programs += more.programs;
-  progress.gain += more.gain;
-  progress.firm = more.firm;
-}
 
 class Escape {
  public:
@@ -37,7 +25,7 @@ class Escape {
   // The same, unless sweeps alone leave the marker longer than `length`; then they do not count as a round.
   void take_turns_if_shorter(Coord length, scene::Scene& scene, Progress& progress) const {
     int sweeps = 0;
-    if (sweep_until_still(scene, {.sweeps = settings_.tuning.sweeps}, quiet_, sweeps) ==
+    if (piece::sweep_until_still(scene, {.sweeps = settings_.tuning.sweeps}, quiet_, sweeps) ==
         scene::StopReason::kCancelled) {
       progress.reason = scene::StopReason::kCancelled;
     } else if (scene.pieces.length() < length) {
@@ -47,14 +35,14 @@ class Escape {
   // Sweeps until nothing moves, which count as one round, then rounds.
   void sweep_and_round(scene::Scene& scene, Progress& progress) const {
     int sweeps = 0;
-    if (sweep_until_still(scene, {.sweeps = settings_.tuning.sweeps}, quiet_, sweeps) ==
+    if (piece::sweep_until_still(scene, {.sweeps = settings_.tuning.sweeps}, quiet_, sweeps) ==
         scene::StopReason::kCancelled) {
       progress.reason = scene::StopReason::kCancelled;
       return;
     }
     CompactionSettings rest = settings_;
     rest.rounds = settings_.rounds - ++progress.rounds;
-    add(improve(scene, goal_, rest, quiet_), progress);
+    progress += improve(scene, goal_, rest, quiet_);
     run_.observer.on_round({progress.rounds, scene.pieces.length()});
   }
   [[nodiscard]] bool may_go_on(const Progress& progress) const {
@@ -78,49 +66,6 @@ bool nothing_moves(const scene::Scene& scene) {
   return true;
 }
 
-// Shortens the scene in sections.  Each pass counts as a round.
-Progress improve_sections(scene::Scene& scene, const CompactionSettings& settings, const scene::Run& run) {
-  CompactionSettings of_section = settings;
-  of_section.least_gain = std::max(settings.least_gain, settings.tuning.section_gain);
-  of_section.sweeps = false;
-  const auto shorten_section = [&](scene::Scene& section, const scene::Run& own) -> sections::SectionGain {
-    const Progress progress = improve(section, step::leftward_goal(section, settings.gravity), of_section, own);
-    return {progress.gain, progress.programs};
-  };
-  const Coord before = scene.pieces.length();
-  const sections::Passes done =
-      sections::shorten_in_sections(scene, settings.tuning.sections, settings.rounds, shorten_section, run);
-  Progress progress;
-  progress.rounds = done.passes;
-  progress.programs = done.programs;
-  progress.gain = static_cast<double>(before - scene.pieces.length());
-  return progress;
-}
-
-// Rounds of the whole marker.  A marker of many pieces is shortened in sections from its first hard round on, before
-// further rounds of the whole.
-Progress improve_all(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
-                     const scene::Run& run) {
-  const CompactionTuning& tuning = settings.tuning;
-  const bool divides =
-      settings.sections && scene.pieces.size() >= tuning.sections.many && sections::can_be_divided(scene);
-  CompactionSettings first = settings;
-  first.hard_round = divides ? tuning.hard_round : 0;
-  Progress progress = improve(scene, goal, first, run);
-  if (!progress.hard) return progress;
-  scene::Run later = run;
-  later.observer.on_round = [&](scene::Round round) {
-    round.number += progress.rounds;
-    run.observer.on_round(round);
-  };
-  CompactionSettings rest = settings;
-  rest.rounds = settings.rounds - progress.rounds;
-  add(improve_sections(scene, rest, later), progress);
-  rest.rounds = settings.rounds - progress.rounds;
-  add(improve(scene, goal, rest, later), progress);
-  return progress;
-}
-
 }  // namespace
 
 Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
@@ -132,7 +77,7 @@ Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSe
   }
   const std::vector<Vec> start = scene.pieces.positions();
   const Coord start_length = scene.pieces.length();
-  Progress progress = improve_all(scene, goal, settings, run);
+  Progress progress = improve_divided(scene, goal, settings, run);
   if (!settings.sweeps || scene.pieces.size() > settings.tuning.most_pieces_swept || !escape.may_go_on(progress) ||
       nothing_moves(scene)) {
     return progress;

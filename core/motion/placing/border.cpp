@@ -54,12 +54,12 @@ void append_arc_and_arc(const BorderLine& p, const BorderLine& q, std::vector<Re
 
 }  // namespace
 
-RealVec RealBox::nearest_to(RealVec point) const {
-  return {std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y)};
+RealVec nearest_in(const RealBox& box, RealVec point) {
+  return {std::clamp(point.x, box.low_x, box.high_x), std::clamp(point.y, box.low_y, box.high_y)};
 }
-bool RealBox::holds(RealVec point, double margin) const {
-  return point.x >= low.x - margin && point.x <= high.x + margin && point.y >= low.y - margin &&
-         point.y <= high.y + margin;
+bool holds(const RealBox& box, RealVec point, double margin) {
+  return point.x >= box.low_x - margin && point.x <= box.high_x + margin && point.y >= box.low_y - margin &&
+         point.y <= box.high_y + margin;
 }
 
 double squared_distance(RealVec p, RealVec q) {
@@ -85,21 +85,20 @@ RealVec nearest_on(const BorderLine& line, RealVec point) {
 
 bool enters(const BorderLine& line, const RealBox& box) {
   if (line.arc()) {
-    const double nearest = squared_distance(box.nearest_to(line.a), line.a);
-    const double x = std::max(std::abs(box.low.x - line.a.x), std::abs(box.high.x - line.a.x)) + kRounding;
-    const double y = std::max(std::abs(box.low.y - line.a.y), std::abs(box.high.y - line.a.y)) + kRounding;
+    const double nearest = squared_distance(nearest_in(box, line.a), line.a);
+    const double x = std::max(std::abs(box.low_x - line.a.x), std::abs(box.high_x - line.a.x)) + kRounding;
+    const double y = std::max(std::abs(box.low_y - line.a.y), std::abs(box.high_y - line.a.y)) + kRounding;
     const double reach = line.radius + kRounding;
     return nearest <= reach * reach && x * x + y * y >= line.radius * line.radius;
   }
-  if (std::max(line.a.x, line.b.x) < box.low.x - kRounding || std::min(line.a.x, line.b.x) > box.high.x + kRounding ||
-      std::max(line.a.y, line.b.y) < box.low.y - kRounding || std::min(line.a.y, line.b.y) > box.high.y + kRounding) {
+  if (std::max(line.a.x, line.b.x) < box.low_x - kRounding || std::min(line.a.x, line.b.x) > box.high_x + kRounding ||
+      std::max(line.a.y, line.b.y) < box.low_y - kRounding || std::min(line.a.y, line.b.y) > box.high_y + kRounding) {
     return false;
   }
   const double dx = line.b.x - line.a.x;
   const double dy = line.b.y - line.a.y;
-  const double middle = dx * ((box.low.y + box.high.y) / 2 - line.a.y) - dy * ((box.low.x + box.high.x) / 2 - line.a.x);
-  const double half = std::abs(dx) * ((box.high.y - box.low.y) / 2 + kRounding) +
-                      std::abs(dy) * ((box.high.x - box.low.x) / 2 + kRounding);
+  const double middle = dx * (box.middle_y() - line.a.y) - dy * (box.middle_x() - line.a.x);
+  const double half = std::abs(dx) * (box.height() / 2 + kRounding) + std::abs(dy) * (box.width() / 2 + kRounding);
   return std::abs(middle) <= half;
 }
 

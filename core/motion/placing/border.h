@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/geometry/lattice.h"
+#include "core/geometry/real_plane.h"
 #include "core/minkowski/ring.h"
 
 namespace selvage::motion::placing {
@@ -23,12 +24,9 @@ struct BorderLine {
   [[nodiscard]] bool arc() const { return radius > 0; }
 };
 
-// A box in the same coordinates.
-struct RealBox {
-  RealVec low, high;
-  [[nodiscard]] RealVec nearest_to(RealVec point) const;
-  [[nodiscard]] bool holds(RealVec point, double margin) const;
-};
+[[nodiscard]] RealVec nearest_in(const RealBox& box, RealVec point);
+// Whether the point lies in the box, or no farther outside than the margin.
+[[nodiscard]] bool holds(const RealBox& box, RealVec point, double margin);
 
 [[nodiscard]] double squared_distance(RealVec p, RealVec q);
 // Of two positions, lattice units.

@@ -40,7 +40,7 @@ class WindowSearch {
       const Cell cell = std::move(heap_.back());
       heap_.pop_back();
       if (std::sqrt(cell.squared_distance) >= least_) break;
-      const double size = std::max(cell.box.high.x - cell.box.low.x, cell.box.high.y - cell.box.low.y);
+      const double size = std::max(cell.box.width(), cell.box.height());
       if (cell.lines.size() <= tuning_.few_lines || size <= tuning_.small) {
         search(cell);
       } else {
@@ -53,20 +53,21 @@ class WindowSearch {
  private:
   static bool farther(const Cell& a, const Cell& b) {
     if (a.squared_distance != b.squared_distance) return a.squared_distance > b.squared_distance;
-    return std::pair{a.box.low.x, a.box.low.y} > std::pair{b.box.low.x, b.box.low.y};
+    return std::pair{a.box.low_x, a.box.low_y} > std::pair{b.box.low_x, b.box.low_y};
   }
   void push(Cell cell) {
-    cell.squared_distance = squared_distance(cell.box.nearest_to(from_), from_);
+    cell.squared_distance = squared_distance(nearest_in(cell.box, from_), from_);
     if (std::sqrt(cell.squared_distance) >= least_) return;
     heap_.push_back(std::move(cell));
     std::push_heap(heap_.begin(), heap_.end(), farther);
   }
-  static RealVec middle(const RealBox& box) { return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2}; }
+  static RealVec middle(const RealBox& box) { return {box.middle_x(), box.middle_y()}; }
 
   void push_window() {
     Cell cell;
-    cell.box = {{static_cast<double>(window_.low.x - origin_.x), static_cast<double>(window_.low.y - origin_.y)},
-                {static_cast<double>(window_.high.x - origin_.x), static_cast<double>(window_.high.y - origin_.y)}};
+    const RealVec low = real(window_.low - origin_);
+    const RealVec high = real(window_.high - origin_);
+    cell.box = {low.x, low.y, high.x, high.y};
     for (std::size_t k = 0; k < around_.obstacles(); ++k) {
       if (!append_entering(k, around_.first_line(k), around_.first_line(k + 1), cell)) return;
     }
@@ -84,11 +85,11 @@ class WindowSearch {
 
   void divide(const Cell& cell) {
     const RealVec mid = middle(cell.box);
-    const bool across = cell.box.high.x - cell.box.low.x >= cell.box.high.y - cell.box.low.y;
+    const bool across = cell.box.width() >= cell.box.height();
     for (const bool upper : {false, true}) {
       Cell half;
       half.box = cell.box;
-      double& side = across ? (upper ? half.box.low.x : half.box.high.x) : (upper ? half.box.low.y : half.box.high.y);
+      double& side = across ? (upper ? half.box.low_x : half.box.high_x) : (upper ? half.box.low_y : half.box.high_y);
       side = across ? mid.x : mid.y;
       if (fill_from(cell, half)) push(std::move(half));
     }
@@ -116,11 +117,11 @@ class WindowSearch {
     candidates_.clear();
     sides_ = sides_of(cell.box);
     const auto consider = [&](RealVec point, const BorderLine* p, const BorderLine* q) {
-      if (!cell.box.holds(point, 1)) return;
+      if (!holds(cell.box, point, 1)) return;
       const double square = squared_distance(point, from_);
       if (std::sqrt(square) < least_) candidates_.push_back({point, square, {p, q}});
     };
-    consider(cell.box.nearest_to(from_), nullptr, nullptr);
+    consider(nearest_in(cell.box, from_), nullptr, nullptr);
     for (std::size_t k = 0; k < cell.lines.size(); ++k) {
       const BorderLine& line = around_.lines()[cell.lines[k]];
       consider(nearest_on(line, from_), &line, nullptr);
@@ -151,7 +152,8 @@ class WindowSearch {
   }
   // The sides of a box as borders of what lies outside of it.
   static std::array<BorderLine, 4> sides_of(const RealBox& box) {
-    const auto& [low, high] = box;
+    const RealVec low{box.low_x, box.low_y};
+    const RealVec high{box.high_x, box.high_y};
     const auto side = [](RealVec a, RealVec b) { return BorderLine{a, b, 0, 0, {}, {}}; };
     return {side({high.x, low.y}, low), side(high, {high.x, low.y}), side({low.x, high.y}, high),
             side(low, {low.x, high.y})};

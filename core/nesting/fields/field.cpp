@@ -39,7 +39,7 @@ bool same(const layout::Place& one, const layout::Place& other) {
   return one.x == other.x && one.y == other.y && one.turn == other.turn;
 }
 
-bool same(const layout::RealBox& one, const layout::RealBox& other) {
+bool same(const RealBox& one, const RealBox& other) {
   return one.low_x == other.low_x && one.low_y == other.low_y && one.high_x == other.high_x &&
          one.high_y == other.high_y;
 }
@@ -52,7 +52,7 @@ const depth::DepthMap::Overlaps& grid_of(const depth::MapView& view) {
 
 bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32_t turn, std::span<const float> weights,
                     double reach) {
-  const layout::RealBox room = room_within(layout, piece, turn, reach);
+  const RealBox room = room_within(layout, piece, turn, reach);
   if (room.high_x < room.low_x || room.high_y < room.low_y) return false;
   bool kept = !counted_.empty() && piece == piece_ && turn == turn_ && same(room, room_);
   piece_ = piece;
@@ -74,9 +74,8 @@ bool Field::compute(const layout::Layout& layout, std::size_t piece, std::uint32
   return true;
 }
 
-layout::RealBox Field::room_within(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
-                                   double reach) const {
-  layout::RealBox room = inner_fit(*set_, layout, piece, turn);
+RealBox Field::room_within(const layout::Layout& layout, std::size_t piece, std::uint32_t turn, double reach) const {
+  RealBox room = inner_fit(*set_, layout, piece, turn);
   if (std::isinf(reach)) return room;
   // The room stays the same while the piece moves a little.
   const double x = std::max(room.low_x, std::min(layout.places[piece].x, room.high_x));
@@ -197,11 +196,11 @@ void Field::leave_out_unmatched() {
   };
   std::vector<bool> matched(cells_.columns());  // by column
   for (std::size_t column = 0; column < matched.size(); ++column) {
-    const layout::RealBox fit = matched_fit(*set_, piece_, turn_, room_, x_at(column), room_.low_y);
+    const RealBox fit = matched_fit(*set_, piece_, turn_, room_, x_at(column), room_.low_y);
     matched[column] = holds(fit.low_x, fit.high_x, x_at(column));
   }
   for (std::size_t row = 0; row < cells_.rows(); ++row) {
-    const layout::RealBox fit = matched_fit(*set_, piece_, turn_, room_, room_.low_x, y_at(row));
+    const RealBox fit = matched_fit(*set_, piece_, turn_, room_, room_.low_x, y_at(row));
     const bool in_row = holds(fit.low_y, fit.high_y, y_at(row));
     for (std::size_t column = 0; column < matched.size(); ++column) {
       if (!in_row || !matched[column]) cells_.row(row)[column] = kRuledOut;
@@ -213,7 +212,7 @@ layout::Place Field::place_at(Cell cell) const {
   const double pixel = maps_->scale().pixel;
   const double x = std::min(room_.low_x + static_cast<double>(cell.column) * pixel, room_.high_x);
   const double y = std::min(room_.low_y + static_cast<double>(cell.row) * pixel, room_.high_y);
-  const layout::RealBox at = matched_fit(*set_, piece_, turn_, room_, x, y);
+  const RealBox at = matched_fit(*set_, piece_, turn_, room_, x, y);
   return {std::max(at.low_x, std::min(x, at.high_x)), std::max(at.low_y, std::min(y, at.high_y)), turn_};
 }
 

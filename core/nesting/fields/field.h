@@ -62,8 +62,8 @@ class Field {
     float before{}, now{};
   };
 
-  [[nodiscard]] layout::RealBox room_within(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
-                                            double reach) const;
+  [[nodiscard]] RealBox room_within(const layout::Layout& layout, std::size_t piece, std::uint32_t turn,
+                                    double reach) const;
   void clear();
   // Notes what the pieces count; returns how this differs from what the cells hold.
   [[nodiscard]] std::vector<Change> find_changes(const layout::Layout& layout, std::span<const float> weights);
@@ -84,7 +84,7 @@ class Field {
 
   const layout::PieceSet* set_;
   depth::DepthMaps* maps_;
-  layout::RealBox room_;  // the positions
+  RealBox room_;  // the positions
   std::size_t piece_{};
   std::uint32_t turn_{};
   Cells cells_;                   // in units

@@ -60,7 +60,7 @@ class Filler {
 
   void park(Layout& layout, std::size_t piece) const {
     layout::Place& place = layout.places[piece];
-    const layout::RealBox& box = set_.kind(piece).turned[place.turn].box;
+    const RealBox& box = set_.kind(piece).turned[place.turn].box;
     place.x = layout.length + apart_ * static_cast<double>(2 + piece) - box.low_x;
     place.y = -box.low_y;
   }
@@ -167,7 +167,7 @@ class Filler {
     std::vector<bool> lies = best_.lies;
     lies[trial.in] = true;
     if (trial.out) {
-      const layout::RealBox box = placed_box(set_, layout, *trial.out);
+      const RealBox box = placed_box(set_, layout, *trial.out);
       park(layout, *trial.out);
       lies[*trial.out] = false;
       centre_at(set_, layout, trial.in, box.middle_x(), box.middle_y());

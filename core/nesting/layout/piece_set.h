@@ -11,20 +11,12 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/geometry/real_plane.h"
 #include "core/marker/marker.h"
 #include "core/minkowski/cache.h"
 #include "core/outline/outline.h"
 
 namespace selvage::nesting::layout {
-
-struct RealBox {
-  double low_x{}, low_y{}, high_x{}, high_y{};
-
-  [[nodiscard]] double width() const { return high_x - low_x; }
-  [[nodiscard]] double height() const { return high_y - low_y; }
-  [[nodiscard]] double middle_x() const { return (low_x + high_x) / 2; }
-  [[nodiscard]] double middle_y() const { return (low_y + high_y) / 2; }
-};
 
 // An outline up to the eight exact symmetries, with the clearance around it and its overlap allowance.
 struct BaseOutline {

@@ -24,7 +24,7 @@ struct Descended {
 // Descends from the position, clamped to `room`, until steps are shorter than `limit` or the loss is 0.
 // `loss(x, y, bound)` may return any value of at least `bound` when the loss is not below it.
 template <class Loss>
-[[nodiscard]] Descended descend(const Loss& loss, Position from, const layout::RealBox& room, double step, double limit,
+[[nodiscard]] Descended descend(const Loss& loss, Position from, const RealBox& room, double step, double limit,
                                 layout::Dice& dice) {
   constexpr double kLonger = 1.3;
   constexpr double kShorter = 0.35;

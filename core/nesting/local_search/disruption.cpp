@@ -54,8 +54,8 @@ void swap_large_pieces(const layout::PieceSet& set, depth::DepthMaps& maps, doub
   std::erase(partners, first);
   const std::uint32_t second = partners[dice.below(partners.size())];
 
-  const layout::RealBox first_box = placed_box(set, layout, first);
-  const layout::RealBox second_box = placed_box(set, layout, second);
+  const RealBox first_box = placed_box(set, layout, first);
+  const RealBox second_box = placed_box(set, layout, second);
   centre_at(set, layout, first, second_box.middle_x(), second_box.middle_y());
   centre_at(set, layout, second, first_box.middle_x(), first_box.middle_y());
   const double by_x = second_box.middle_x() - first_box.middle_x();
@@ -72,7 +72,7 @@ void swap_large_pieces(const layout::PieceSet& set, depth::DepthMaps& maps, doub
       // Only those of which most lies under it.
       if (depth <= std::min(turned.box.width(), turned.box.height()) / 2) continue;
       const double sign = moved == first ? -1 : 1;
-      const layout::RealBox box = placed_box(set, layout, i);
+      const RealBox box = placed_box(set, layout, i);
       centre_at(set, layout, i, box.middle_x() + sign * by_x, box.middle_y() + sign * by_y);
       break;
     }

@@ -13,7 +13,7 @@ double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   double largest = 0;
   std::size_t pieces = 0;
   for (std::size_t i = 0; i < set.size(); ++i) {
-    const layout::RealBox& box = set.kind(i).turned.front().box;
+    const RealBox& box = set.kind(i).turned.front().box;
     largest = std::max({largest, box.width(), box.height()});
     if (set.is_zone(i)) continue;
     sides += std::sqrt(set.kind(i).area);

@@ -11,7 +11,7 @@ namespace selvage::nesting::local_search {
 namespace {
 
 // The part of the room that is within reach of the place.  A place outside the room counts as the nearest one in it.
-layout::RealBox around(const layout::Place& place, double reach, const layout::RealBox& room) {
+RealBox around(const layout::Place& place, double reach, const RealBox& room) {
   const double x = std::max(room.low_x, std::min(place.x, room.high_x));
   const double y = std::max(room.low_y, std::min(place.y, room.high_y));
   return {std::max(room.low_x, x - reach), std::max(room.low_y, y - reach), std::min(room.high_x, x + reach),
@@ -20,7 +20,7 @@ layout::RealBox around(const layout::Place& place, double reach, const layout::R
 
 }  // namespace
 
-layout::RealBox Mover::room_about(const layout::Layout& layout, std::size_t piece, const layout::Place& place) const {
+RealBox Mover::room_about(const layout::Layout& layout, std::size_t piece, const layout::Place& place) const {
   return matched_fit(*set_, piece, place.turn, inner_fit(*set_, layout, piece, place.turn), place.x, place.y);
 }
 
@@ -100,7 +100,7 @@ fields::Candidate Mover::refined(const layout::Layout& layout, std::size_t piece
                                  double best) {
   const layout::Place& from = candidate.place;
   const double reach = 3 * pixel_;
-  const layout::RealBox room = around(from, reach, room_about(layout, piece, from));
+  const RealBox room = around(from, reach, room_about(layout, piece, from));
   neighbourhood_.gather(layout, piece, from, reach);
   neighbourhood_.order_roughly(from);
   const auto rough_loss = [this](double x, double y, double bound) { return neighbourhood_.rough_loss(x, y, bound); };
@@ -119,7 +119,7 @@ fields::Candidate Mover::finished(const layout::Layout& layout, std::size_t piec
 fields::Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, const layout::Place& from, double reach,
                                double step, double limit) {
   // Losses are exact within the reach only, so the descent stays there.
-  const layout::RealBox room = around(from, reach, room_about(layout, piece, from));
+  const RealBox room = around(from, reach, room_about(layout, piece, from));
   neighbourhood_.gather(layout, piece, from, reach);
   neighbourhood_.keep_edges(from, reach);
   const auto loss = [this](double x, double y, double bound) { return neighbourhood_.loss(x, y, bound); };

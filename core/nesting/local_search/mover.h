@@ -28,8 +28,7 @@ class Mover {
   using Candidate = fields::Candidate;
 
   // The positions that the piece may take from there without changing to another repeat of the cloth.
-  [[nodiscard]] layout::RealBox room_about(const layout::Layout& layout, std::size_t piece,
-                                           const layout::Place& place) const;
+  [[nodiscard]] RealBox room_about(const layout::Layout& layout, std::size_t piece, const layout::Place& place) const;
   void collect(const layout::Layout& layout, std::size_t piece);
   // Whether a move looks at this orientation: where fields are dear, always at the present one and at one other on
   // average.

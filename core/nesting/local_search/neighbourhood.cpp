@@ -14,8 +14,8 @@ void Neighbourhood::gather(const layout::Layout& layout, std::size_t piece, cons
   near_.clear();
   kept_reach_ = 0;
   const layout::Turned& own = set_->kind(piece).turned[place.turn];
-  const layout::RealBox box{own.box.low_x + place.x, own.box.low_y + place.y, own.box.high_x + place.x,
-                            own.box.high_y + place.y};
+  const RealBox box{own.box.low_x + place.x, own.box.low_y + place.y, own.box.high_x + place.x,
+                    own.box.high_y + place.y};
   const double apart = reach + maps_->scale().pixel;
   boxes_.find_near(box, set_->widest + apart, candidates_);
   for (const std::uint32_t other : candidates_) {

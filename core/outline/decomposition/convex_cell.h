@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::outline::decomposition {
 

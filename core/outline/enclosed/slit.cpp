@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::outline::enclosed {
 namespace {

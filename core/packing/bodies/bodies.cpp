@@ -16,7 +16,6 @@ namespace selvage::packing::bodies {
 namespace {
 
 using branching::Chosen;
-using cells::RealBox;
 
 // One piece in one orientation.
 struct Figure {

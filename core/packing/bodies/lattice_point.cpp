@@ -8,7 +8,6 @@ namespace selvage::packing::bodies {
 namespace {
 
 using cells::HalfPlane;
-using cells::RealBox;
 
 constexpr double kFarthest = 4096;   // lattice units along each axis
 constexpr double kRounding = 1e-4;   // lattice units

@@ -14,6 +14,6 @@ namespace selvage::packing::bodies {
 // nearest along x or along y.  Points beyond a half-plane by less than rounding count as in it.  Nothing when there is
 // none.
 [[nodiscard]] std::optional<RealVec> lattice_point_near(RealVec from, std::span<const cells::HalfPlane> planes,
-                                                        const cells::RealBox& box);
+                                                        const RealBox& box);
 
 }  // namespace selvage::packing::bodies

@@ -17,7 +17,6 @@
 namespace selvage::packing::bodies {
 namespace {
 
-using cells::RealBox;
 using programs::Columns;
 using programs::Dictionary;
 using programs::Row;

@@ -20,7 +20,6 @@
 
 namespace selvage::packing::branching {
 
-using cells::RealBox;
 using cells::WedgeRing;
 using lines::Lines;
 

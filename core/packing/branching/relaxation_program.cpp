@@ -30,7 +30,7 @@ void Relaxation::gather(const RingState& ring, const RealBox& box) {
   if (first < end) take(first);
   if (first + 1 < end) take(end - 1);
   if (first + 2 < end) {
-    for (const RealVec corner : corners_of(box)) {
+    for (const RealVec corner : cells::corners_of(box)) {
       const std::uint32_t facing = wedges.facing(corner);
       const std::uint32_t k = (facing + wedges.size() - ring.arc.first) % wedges.size();
       if (k < ring.arc.count && wedges.depth(facing, corner) <= 0) (void)sides.include(corner);

@@ -18,7 +18,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 #include "core/minkowski/cache.h"
 
 namespace selvage::packing::cells {
@@ -31,13 +31,6 @@ inline constexpr double kRounding = 0x1p-4;   // more than a clipped cell exceed
 struct HalfPlane {
   double nx{}, ny{}, c{};
   [[nodiscard]] double room(RealVec p) const { return nx * p.x + ny * p.y - c; }
-};
-
-// A closed box between lattice points, in doubles.
-struct RealBox {
-  double low_x{}, low_y{}, high_x{}, high_y{};
-  [[nodiscard]] double width() const { return high_x - low_x; }
-  [[nodiscard]] double height() const { return high_y - low_y; }
 };
 
 // Whether the point lies outside of the box, or on its border.

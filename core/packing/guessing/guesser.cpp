@@ -67,7 +67,7 @@ double Guesser::part(double low, double high) {
 // The part of the way from the ring's border to its centre, times the ring's size: unlike the depth below the line of
 // an edge, it changes without leaps from wedge to wedge.
 double Guesser::depth(std::uint32_t ring, RealVec way) const {
-  if (is_beside(boxes_[ring], way)) return 0;
+  if (cells::is_beside(boxes_[ring], way)) return 0;
   const WedgeRing& wedges = *rings_[ring];
   const std::uint32_t wedge = wedges.facing(way);
   const double own = wedges.depth(wedge, way);

@@ -69,7 +69,7 @@ class Guesser {
   std::vector<std::size_t> first_;  // by body: the number of its first variant
   std::vector<Rings> between_;      // by two of these numbers, those of the lower body first; the world comes last
   std::vector<const cells::WedgeRing*> rings_;  // of the problem, those of a pair one after another
-  std::vector<cells::RealBox> boxes_;           // by ring: most rings are far from most positions
+  std::vector<RealBox> boxes_;                  // by ring: most rings are far from most positions
   std::vector<double> sizes_;                   // by ring
   std::vector<RingGrid> fixed_;                 // by body and variant: the rings of fixed pieces, from the first one on
   std::vector<double> ring_weights_;            // by ring: of fixed pieces

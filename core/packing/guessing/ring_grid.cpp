@@ -4,19 +4,19 @@
 
 namespace selvage::packing::guessing {
 
-RingGrid::RingGrid(const cells::RealBox& range, std::span<const cells::RealBox> boxes)
+RingGrid::RingGrid(const RealBox& range, std::span<const RealBox> boxes)
     : range_{range},
       parts_x_{kParts / std::max(range.width(), 1.0)},
       parts_y_{kParts / std::max(range.height(), 1.0)},
       begins_(kParts * kParts + 1) {
-  const auto for_each_part = [this](const cells::RealBox& box, const auto& visit) {
+  const auto for_each_part = [this](const RealBox& box, const auto& visit) {
     const std::size_t first = part_of({box.low_x, box.low_y});
     const std::size_t last = part_of({box.high_x, box.high_y});
     for (std::size_t row = first / kParts; row <= last / kParts; ++row) {
       for (std::size_t column = first % kParts; column <= last % kParts; ++column) visit(row * kParts + column);
     }
   };
-  for (const cells::RealBox& box : boxes) {
+  for (const RealBox& box : boxes) {
     for_each_part(box, [this](std::size_t part) { ++begins_[part + 1]; });
   }
   for (std::size_t part = 0; part < kParts * kParts; ++part) begins_[part + 1] += begins_[part];

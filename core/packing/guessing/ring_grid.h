@@ -14,7 +14,7 @@ namespace selvage::packing::guessing {
 
 class RingGrid {
  public:
-  RingGrid(const cells::RealBox& range, std::span<const cells::RealBox> boxes);
+  RingGrid(const RealBox& range, std::span<const RealBox> boxes);
 
   // All boxes that contain the position, and some others: their numbers, ascending.
   // REQUIRES: the position lies in the range.
@@ -31,7 +31,7 @@ class RingGrid {
     return along(position.y, range_.low_y, parts_y_) * kParts + along(position.x, range_.low_x, parts_x_);
   }
 
-  cells::RealBox range_;
+  RealBox range_;
   double parts_x_, parts_y_;           // per lattice unit
   std::vector<std::uint32_t> begins_;  // by part: its first ring; and the end
   std::vector<std::uint32_t> rings_;

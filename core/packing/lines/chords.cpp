@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 
 namespace selvage::packing::lines {
 namespace {

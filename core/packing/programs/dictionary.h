@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/real_vec.h"
+#include "core/geometry/real_plane.h"
 #include "core/packing/cells/wedge_ring.h"
 #include "core/packing/programs/reasons.h"
 

@@ -11,11 +11,10 @@
 #include <span>
 #include <vector>
 
+#include "core/geometry/real_plane.h"
 #include "core/packing/programs/dictionary.h"
 
 namespace selvage::packing::programs {
-
-using cells::RealBox;
 
 // Where the bodies, and the length, can be.
 struct Ranges {

@@ -94,7 +94,7 @@ TEST(Field, HasNoPlacesBeyondItsReach) {
     Scattered scattered{random};
     Field field{scattered.set, scattered.maps};
     for (std::uint32_t turn = 0; turn < scattered.set.kind(0).turned.size(); ++turn) {
-      const layout::RealBox fit = inner_fit(scattered.set, scattered.layout, 0, turn);
+      const RealBox fit = inner_fit(scattered.set, scattered.layout, 0, turn);
       const double x = std::clamp(scattered.layout.places[0].x, fit.low_x, fit.high_x);
       if (!field.compute(scattered.layout, 0, turn, scattered.weights, kReach)) continue;
       const std::vector<Candidate> candidates = candidates_of(field);

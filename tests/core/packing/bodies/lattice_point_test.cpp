@@ -10,7 +10,7 @@
 namespace selvage::packing::bodies {
 namespace {
 
-constexpr cells::RealBox kWide{-1e6, -1e6, 1e6, 1e6};
+constexpr RealBox kWide{-1e6, -1e6, 1e6, 1e6};
 
 // The half-plane to the left of the line through two points.
 cells::HalfPlane left_of(RealVec from, RealVec to) {

@@ -6,7 +6,7 @@
 #include "core/scene/scene.h"
 #include "core/scene/stop_reason.h"
 
-namespace selvage::motion::compaction {
+namespace selvage::motion::piece {
 
 struct SweepSettings {
   int sweeps{200};          // at most this many
@@ -21,4 +21,4 @@ struct SweepSettings {
 [[nodiscard]] scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& settings,
                                                   const scene::Run& run, int& sweeps);
 
-}  // namespace selvage::motion::compaction
+}  // namespace selvage::motion::piece

@@ -1,4 +1,4 @@
-#include "core/motion/compaction/sweep.h"
+#include "core/motion/piece/sweep.h"
 
 #include <algorithm>
 #include <numeric>
@@ -6,7 +6,7 @@
 
 #include "core/motion/piece/bump.h"
 
-namespace selvage::motion::compaction {
+namespace selvage::motion::piece {
 namespace {
 
 // From left to right; ties by piece.
@@ -24,7 +24,7 @@ double sweep(scene::Scene& scene, const scene::Run& run) {
   for (const std::uint32_t piece : sweep_order(scene.pieces)) {
     run.observer.on_stage(scene::Stage::kSolve);
     if (run.stopped()) break;
-    const piece::Bump bumped = piece::bump(scene, PieceId{piece}, -1, 0, run.stop);
+    const Bump bumped = bump(scene, PieceId{piece}, -1, 0, run.stop);
     gain += bumped.gain;
     scene.shift(PieceId{piece}, bumped.at - scene.pieces.at(piece));
   }
@@ -49,4 +49,4 @@ scene::StopReason sweep_until_still(scene::Scene& scene, const SweepSettings& se
   return scene::StopReason::kWorkLimit;
 }
 
-}  // namespace selvage::motion::compaction
+}  // namespace selvage::motion::piece

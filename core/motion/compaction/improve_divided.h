@@ -1,0 +1,22 @@
+// Rounds of the whole marker and, where it has many pieces, of its sections (core/motion/sections).
+//
+//     rounds of the whole marker, up to the first that is hard
+//     then: passes over sections, until they gain little
+//           rounds of the whole marker
+//
+// A round is hard when its program has to be solved several times, because rows that were left out are broken
+// somewhere. In a long marker that happens in nearly every round; the rounds of a section are hard only where something
+// breaks in that section.
+#pragma once
+
+#include "core/motion/compaction/compact.h"
+
+namespace selvage::motion::compaction {
+
+// Rounds are counted and reported in one series; a pass over the sections is a round.  Without
+// CompactionSettings::sections, with fewer pieces than the tuning names, and where a marker cannot be divided
+// (section_scene.h), these are the rounds of `improve`.  REQUIRES: as `improve`.
+[[nodiscard]] Progress improve_divided(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
+                                       const scene::Run& run);
+
+}  // namespace selvage::motion::compaction
