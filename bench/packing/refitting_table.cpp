@@ -85,6 +85,7 @@ int main(int count, char** words) {
     if (word == "--pieces") options.windows.pieces = options.fill.pieces = std::strtoul(value, nullptr, 10);
     if (word == "--nodes") options.windows.nodes = options.fill.nodes = std::strtoull(value, nullptr, 10);
     if (word == "--seed") options.fill.seed = std::strtoull(value, nullptr, 10);
+    if (word == "--most") options.windows.most_pieces = std::strtoul(value, nullptr, 10);
     if (word == "--shift") options.windows.tuning.shift = std::strtod(value, nullptr);
     if (word == "--small") options.fill.tuning.small = std::strtod(value, nullptr);
     if (!option) paths.push_back(word);

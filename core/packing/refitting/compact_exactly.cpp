@@ -37,20 +37,31 @@ class WindowSearch {
     for (const std::uint32_t piece : free) free_[piece] = true;
     wanted_.assign(free_.size(), !settings_.among);
     for (const PieceId piece : settings_.among.value_or(std::vector<PieceId>{})) wanted_[piece.value] = true;
-    const std::size_t size = std::min(settings_.pieces, free.size());
-    const std::uint64_t places = size == 0 ? 0 : free.size() - size + 1;
+    size_ = settings_.pieces;
+    for (nodes_ = std::min(settings_.tuning.first_nodes, settings_.nodes);;
+         nodes_ = std::min(settings_.tuning.growth * nodes_, settings_.nodes)) {
+      slide(result, free.size());
+      if (result.reason != scene::StopReason::kConverged || nodes_ >= settings_.nodes) return result;
+      const std::size_t larger = std::min(settings_.pieces + settings_.tuning.more_pieces, settings_.most_pieces);
+      size_ = size_ == settings_.pieces ? larger : settings_.pieces;
+    }
+  }
+
+ private:
+  // Windows of the present size slide over the marker, until none gains.
+  void slide(ExactCompaction& result, std::size_t free) {
+    const std::uint64_t places = free == 0 ? 0 : free - std::min(size_, free) + 1;
+    const std::uint64_t left = places == 0 ? 0 : settings_.windows - result.windows;
     const auto trial = [this, places](const Marker& best, std::uint64_t number, const scene::Run& run) {
       return tried(best, static_cast<std::size_t>(number % places), run);
     };
     const TrialCounts counts = run_trials(
-        result, places == 0 ? 0 : settings_.windows, places, trial, [](const Marker&) {}, run_);
-    result.windows = counts.trials;
-    result.kept = counts.kept;
-    result.work = counts.work;
-    return result;
+        result, left, places, trial, [](const Marker&) {}, run_);
+    result.windows += counts.trials;
+    result.kept += counts.kept;
+    result.work += counts.work;
   }
 
- private:
   // The sides of all pieces for the window that begins with the given one of the free pieces.
   [[nodiscard]] std::vector<Side> sides_of(const Marker& marker, std::size_t first) const {
     const marker::PlacedPieces pieces{marker};
@@ -63,11 +74,11 @@ class WindowSearch {
     std::size_t seen = 0;
     for (const auto& [middle, k] : order) {
       if (!free_[k]) {
-        if (seen < first + settings_.pieces) sides[k] = Side::kBefore;
+        if (seen < first + size_) sides[k] = Side::kBefore;
         continue;
       }
       if (seen < first) sides[k] = Side::kBefore;
-      if (seen >= first && seen < first + settings_.pieces) sides[k] = Side::kInside;
+      if (seen >= first && seen < first + size_) sides[k] = Side::kInside;
       ++seen;
     }
     return sides;
@@ -114,7 +125,7 @@ class WindowSearch {
     const auto out = window(best, std::move(sides), shift);
     if (!out) return outcome;
     ContainSettings settings;
-    settings.limits.nodes = settings_.nodes;
+    settings.limits.nodes = nodes_;
     settings.turns = settings_.turns;
     const auto found = contain(out->rest, out->wanted, room_until(best.strip, length - shift), settings, run);
     outcome.work = found.work;
@@ -130,6 +141,8 @@ class WindowSearch {
   const ExactCompactionSettings& settings_;
   const scene::Run& run_;
   std::vector<bool> free_, wanted_;  // by piece
+  std::size_t size_{};               // of the windows, at present
+  std::uint64_t nodes_{};            // of the search in a window, at present
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 // those behind it move to the left as one, by a little; where that makes them collide with pieces before the window,
 // these join it.  Whether the window's pieces then still fit is decided exactly (contain.h), in all layouts and
 // orientations.  If they do, the marker is compacted, and the search goes on.  Windows slide over the marker until none
-// of them gains.
+// of them gains; then they do so again with more nodes for each, up to a limit, and with a few pieces more by turns.
 //
 // Windows in front of locked pieces or groups are left out, and so are those without a piece of `among`.
 //
@@ -27,7 +27,7 @@ namespace selvage::packing::refitting {
 struct ExactCompactionSettings {
   std::size_t pieces{8};                        // of a window
   std::size_t most_pieces{12};                  // with those that join it; larger windows are left out
-  std::uint64_t nodes{300};                     // of the search in a window
+  std::uint64_t nodes{300};                     // of the search in a window at most
   std::uint64_t windows{1000};                  // at most
   std::optional<std::vector<PieceId>> among{};  // a window has one of these pieces or more; absent: any
   bool turns{true};  // the pieces of a window may take other orientations that their shapes allow

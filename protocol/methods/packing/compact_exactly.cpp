@@ -10,19 +10,20 @@ namespace {
 namespace refitting = selvage::packing::refitting;
 
 constexpr double kMostWindows = 1e9, kMostPieces = 12;
+constexpr std::uint64_t kNodesWithDeadline = 20'000;
 
 struct ExactCompactionParams {
   calls::CommonParams call;
   std::size_t pieces{refitting::ExactCompactionSettings{}.pieces};
-  std::uint64_t nodes{refitting::ExactCompactionSettings{}.nodes};
-  std::optional<std::uint64_t> windows;
+  std::optional<std::uint64_t> nodes, windows;
   std::optional<std::vector<calls::Id>> among;
   bool turns{true};
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
     v.optional("pieces", self.pieces, "Number of pieces in a window, 1 to 12.", {.range = {{1, kMostPieces}}});
-    v.optional("nodes", self.nodes, "The largest number of nodes of the search in a window.",
+    v.optional("nodes", self.nodes,
+               "The largest number of nodes of the search in a window; 300 when absent, 20,000 with a deadline.",
                {.range = {{1, kMostNodes}}});
     v.optional("windows", self.windows,
                "Maximum number of windows to search; 1,000 when absent, without limit with a deadline.",
@@ -60,8 +61,9 @@ Result<calls::Motion<ExactCompactionResult>> run_compact_exactly(const ExactComp
                                                                  const calls::MethodContext& context) {
   refitting::ExactCompactionSettings settings;
   settings.pieces = params.pieces;
-  settings.nodes = params.nodes;
-  settings.windows = params.windows.value_or(params.call.deadline_ms ? UINT64_MAX : settings.windows);
+  const bool timed = params.call.deadline_ms.has_value();
+  settings.nodes = params.nodes.value_or(timed ? kNodesWithDeadline : settings.nodes);
+  settings.windows = params.windows.value_or(timed ? UINT64_MAX : settings.windows);
   if (params.among) {
     auto among = placed_pieces(start, *params.among);
     if (!among) return among.error();

@@ -134,6 +134,29 @@ TEST(CompactExactly, PutsBarsWhereCompactionCannot) {
   EXPECT_EQ(compact_exactly(marker, narrow, scene::Run{sums})->length_after, 160'000);
 }
 
+TEST(CompactExactly, SearchesLongerWhenNoWindowGains) {
+  const Marker marker = bars(1);
+  SumCache sums;
+  ExactCompactionSettings settings;
+  settings.tuning.first_nodes = 1;
+  settings.nodes = 1;
+  const auto brief = compact_exactly(marker, settings, scene::Run{sums});
+  ASSERT_TRUE(brief);
+  EXPECT_EQ(brief->length_after, 160'000);
+  EXPECT_EQ(brief->reason, scene::StopReason::kConverged);
+  settings.nodes = 300;
+  const auto longer = compact_exactly(marker, settings, scene::Run{sums});
+  ASSERT_TRUE(longer);
+  EXPECT_EQ(longer->length_after, 130'000);
+  EXPECT_EQ(longer->reason, scene::StopReason::kConverged);
+  EXPECT_GT(longer->windows, brief->windows);
+  // The windows of all searches count.
+  settings.windows = brief->windows;
+  const auto stopped = compact_exactly(marker, settings, scene::Run{sums});
+  EXPECT_EQ(stopped->reason, scene::StopReason::kWorkLimit);
+  EXPECT_EQ(stopped->windows, brief->windows);
+}
+
 TEST(CompactExactly, SearchesOnlyWindowsOfTheGivenPieces) {
   const Marker marker = bars(2);
   SumCache sums;

@@ -136,7 +136,7 @@ export interface SearchMethods {
     params: MotionParams & {
       /** Number of pieces in a window, 1 to 12. */
       pieces?: number;
-      /** The largest number of nodes of the search in a window. */
+      /** The largest number of nodes of the search in a window; 300 when absent, 20,000 with a deadline. */
       nodes?: number;
       /** Maximum number of windows to search; 1,000 when absent, without limit with a deadline. */
       windows?: number;
