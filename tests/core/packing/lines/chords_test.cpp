@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/geometry/real_plane.h"
 #include "tests/support/polygons.h"
 
 namespace selvage::packing::lines {
