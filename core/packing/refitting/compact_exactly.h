@@ -5,7 +5,8 @@
 // those behind it move to the left as one, by a little; where that makes them collide with pieces before the window,
 // these join it.  Whether the window's pieces then still fit is decided exactly (contain.h), in all layouts and
 // orientations.  If they do, the marker is compacted, and the search goes on.  Windows slide over the marker until none
-// of them gains; then they do so again with more nodes for each, up to a limit, and with a few pieces more by turns.
+// of them gains.  Then they slide again with more nodes for each, up to a limit; every second time they are a few
+// pieces larger.
 //
 // Windows in front of locked pieces or groups are left out, and so are those without a piece of `among`.
 //

@@ -20,9 +20,9 @@ struct FillTuning {
 
 struct WindowTuning {
   double shift{5e-4};              // by which the pieces behind a window must come nearer, in widths
-  std::uint64_t first_nodes{300};  // of the searches in windows, until none gains; then
-  std::uint64_t growth{4};         // this many times as many, in windows that by turns have
-  std::size_t more_pieces{3};      // this many pieces more than those at first, and as many as those
+  std::uint64_t first_nodes{300};  // of the searches in windows, the first time that they slide over the marker;
+  std::uint64_t growth{4};         // this many times as many each time after that
+  std::size_t more_pieces{3};      // by which windows are larger every second time
   friend bool operator==(const WindowTuning&, const WindowTuning&) = default;
 };
 
