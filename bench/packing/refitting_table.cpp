@@ -1,9 +1,11 @@
 // Prints the tables of refitting in docs/measurements/searches/packing.md: the gain of fill_gaps and compact_exactly
 // over standard compaction, one line for each marker and time limit.
 //
-//   refitting_table [--motion fill|windows] [--seconds S]... [--pieces N] [--nodes N] [--seed N] MARKER.json...
+//   refitting_table [--motion fill|windows] [--seconds S]... [--pieces N] [--nodes N] [OPTION]... MARKER.json...
 //
-// Each run is stopped after S seconds of processor time (default: 1 and 10), on one thread.
+// Each run is stopped after S seconds of processor time (default: 1 and 10), on one thread.  Further options:
+//   --seed N, --small PART      of fill_gaps
+//   --most N, --shift WIDTHS    of compact_exactly; N is the most pieces of a window with those that join it
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

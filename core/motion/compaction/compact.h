@@ -58,7 +58,7 @@ struct Progress {
   bool firm{};     // everything that the last program pressed on is a real contact (core/model/contacts/contact.h);
                    // known only with CompactionSettings::sweeps
 
-  // Adds the outcome of later rounds.
+  // Adds the outcome of later rounds: counts and gains are sums, the rest is theirs.
   Progress& operator+=(const Progress& later);
 };
 // Rounds of position_step until the goal stops improving: the core of every motion of many pieces at once.

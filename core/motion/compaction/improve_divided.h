@@ -4,9 +4,9 @@
 //     then: passes over sections, until they gain little
 //           rounds of the whole marker
 //
-// A round is hard when its program has to be solved several times, because rows that were left out are broken
-// somewhere. In a long marker that happens in nearly every round; the rounds of a section are hard only where something
-// breaks in that section.
+// A round is hard when its program has to be solved several times, because its solutions break rows that were left out.
+// In a long marker that happens somewhere in nearly every round.  A section solves its program again only when
+// something breaks in that section.
 #pragma once
 
 #include "core/motion/compaction/compact.h"

@@ -24,6 +24,7 @@ struct BorderLine {
   [[nodiscard]] bool arc() const { return radius > 0; }
 };
 
+// The point of the box that is nearest to `point`.
 [[nodiscard]] RealVec nearest_in(const RealBox& box, RealVec point);
 // Whether the point lies in the box, or no farther outside than the margin.
 [[nodiscard]] bool holds(const RealBox& box, RealVec point, double margin);

@@ -28,8 +28,8 @@ struct Passes {
 };
 
 // Passes until one gains too little (SectionTuning), `most` at most.  Each pass is reported as a round.  The pieces
-// stay valid, and the marker never becomes longer.  Deterministic, whatever the executor. REQUIRES:
-// can_be_divided(scene); the scene's pieces are valid.
+// stay valid, and the marker never becomes longer.  The answer does not depend on the executor.
+// REQUIRES: can_be_divided(scene); the scene's pieces are valid.
 [[nodiscard]] Passes shorten_in_sections(scene::Scene& scene, const SectionTuning& tuning, int most,
                                          const ShortenSection& shorten, const scene::Run& run);
 

@@ -56,8 +56,8 @@ class RoundModel {
   [[nodiscard]] std::vector<marker::PiecePair> ahead_of(const Moves& moves,
                                                         const std::vector<marker::PiecePair>& colliding) const;
   // In a large marker, limits how far near pieces move against each other, where these moves take them far
-  // (StepTuning): pieces that nothing holds would otherwise fly over many others, which one program after another has
-  // to learn of. True when there were any.
+  // (StepTuning).  Pieces that nothing holds would otherwise fly over many others, and each further program would learn
+  // of a few of these only.  True when any moves were limited.
   bool limit_flights(const Moves& moves);
   // Pieces that collide after rounding although their pairs are modelled move as one from now on: their relative
   // position, which is valid now, stays.

@@ -49,8 +49,8 @@ class WindowSearch {
 
  private:
   // Windows of the present size slide over the marker, until none gains.
-  void slide(ExactCompaction& result, std::size_t free) {
-    const std::uint64_t places = free == 0 ? 0 : free - std::min(size_, free) + 1;
+  void slide(ExactCompaction& result, std::size_t free_count) {
+    const std::uint64_t places = free_count == 0 ? 0 : free_count - std::min(size_, free_count) + 1;
     const std::uint64_t left = places == 0 ? 0 : settings_.windows - result.windows;
     const auto trial = [this, places](const Marker& best, std::uint64_t number, const scene::Run& run) {
       return tried(best, static_cast<std::size_t>(number % places), run);
