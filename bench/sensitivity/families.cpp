@@ -264,8 +264,6 @@ Family nesting_family() {
                                                              {"step_factor", &NestTuning::step_factor},
                                                              {"least_step", &NestTuning::least_step},
                                                              {"bold_patience", &NestTuning::bold_patience},
-                                                             {"pool", &NestTuning::pool},
-                                                             {"pool_skew", &NestTuning::pool_skew},
                                                              {"explored", &NestTuning::explored, true},
                                                              {"first_squeeze", &NestTuning::first_squeeze},
                                                              {"last_squeeze", &NestTuning::last_squeeze},
@@ -290,18 +288,31 @@ Family nesting_family() {
        {"search.weight_decay", &S::weight_decay, true},
        {"search.progress", &S::progress, true},
        {"search.patience", &S::patience},
-       {"search.strikes", &S::strikes},
-       {"search.large_part", &S::large_part, true}},
+       {"search.strikes", &S::strikes}},
       [](NestSettings& s) -> S& { return s.tuning.search; }, nested);
   family.constants.insert(family.constants.end(), of_moves.begin(), of_moves.end());
   return family;
 }
 
+// Walks begin only after some ten thousand moves.
+Family walks_family() {
+  using nesting::NestSettings;
+  using nesting::NestTuning;
+  NestSettings settings;
+  settings.moves = 10 * kMoves;
+  settings.from_scratch = true;
+  settings.tuning.raced_moves = settings.moves;  // one start
+  return {"walks", "the mean length of three nestings from nothing, of 60,000 moves and one start each", as_it_is,
+          constants_of<NestTuning, NestSettings>(
+              settings, {{"walk_slack", &NestTuning::walk_slack}, {"walk_patience", &NestTuning::walk_patience}},
+              own_tuning<NestTuning, NestSettings>, nested)};
+}
+
 }  // namespace
 
 std::vector<Family> families() {
-  return {compaction_family(), separation_family(), tilting_family(),
-          floating_family(),   search_family(),     nesting_family()};
+  return {compaction_family(), separation_family(), tilting_family(), floating_family(),
+          search_family(),     nesting_family(),    walks_family()};
 }
 
 }  // namespace selvage::bench::sensitivity

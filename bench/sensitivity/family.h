@@ -78,7 +78,8 @@ std::vector<Constant> constants_of(const Settings& settings, const std::vector<F
   return constants;
 }
 
-// The families that can be measured, by name: compaction, separation, tilting, floating, search, nesting.
+// The families that can be measured, by name: compaction, separation, tilting, floating, search, nesting,
+// walks.
 [[nodiscard]] std::vector<Family> families();
 
 }  // namespace selvage::bench::sensitivity

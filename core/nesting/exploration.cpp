@@ -61,7 +61,6 @@ void Exploration::begin(layout::Layout start, const std::vector<bool>& kept) {
     search_->build(layout_, kept, [this] { return over(); });
     if (over()) return;
     (void)separate({tuning_.search.patience, tuning_.search.strikes});
-    pool_.clear();
   });
 }
 
@@ -71,33 +70,47 @@ void Exploration::advance(std::uint64_t moves) {
 
 void Exploration::search() {
   while (!over() && !converged_) {
-    if (exploring()) {
+    if (!exploring()) {
+      compress();
+    } else if (stalled()) {
+      walk();
+    } else {
       shorten_boldly();
       explore();
-    } else {
-      compress();
     }
   }
 }
 
 void Exploration::explore() {
-  while (!over() && !converged_ && exploring()) {
+  while (!over() && !converged_ && exploring() && !stalled()) {
     const bool bold = step_ > tuning_.least_step;
     const local_search::Persistence bold_persistence{tuning_.bold_patience, 1};
-    if (separate(bold ? bold_persistence
-                      : local_search::Persistence{tuning_.search.patience, tuning_.search.strikes})) {
-      pool_.clear();
-      shorten_boldly();
-    } else if (over()) {
-      return;
+    const bool shorter =
+        separate(bold ? bold_persistence : local_search::Persistence{tuning_.search.patience, tuning_.search.strikes});
+    if (over()) return;
+    if (shorter) {
+      failures_ = 0;
     } else if (bold) {
       step_ = std::max(tuning_.least_step, step_ * tuning_.step_factor);
-      pool_.clear();
-      shorten_boldly();
     } else {
-      take_from_pool();
-      search_->disrupt(layout_);
+      ++failures_;
     }
+    shorten_boldly();
+  }
+}
+
+// From one valid marker to another that is hardly longer than the best.
+void Exploration::walk() {
+  Marker at = best_;
+  while (!over() && !converged_ && exploring()) {
+    const double longest = best_length() * (1 + tuning_.walk_slack);
+    layout_ = to_layout(*set_, at);
+    set_length(*set_, layout_, longest, search_->dice().unit() * best_length());
+    search_->perturb(layout_);
+    const auto outcome = search_->separate(layout_, {tuning_.walk_patience, 1}, [this] { return over(); });
+    if (outcome.loss > 0) continue;
+    auto marker = proved(outcome.layout);
+    if (marker && static_cast<double>(length_of(*marker)) <= longest * set_->lattice_units) at = *std::move(marker);
   }
 }
 
@@ -108,7 +121,11 @@ void Exploration::compress() {
     shorten(part, search_->dice().unit() * best_length());
     (void)separate({tuning_.squeeze_patience, tuning_.squeeze_strikes});
   }
-  pool_.clear();
+}
+
+bool Exploration::stalled() const {
+  const double sections = std::max(1.0, best_length() / (tuning_.search.stretch * set_->across()));
+  return static_cast<double>(failures_) >= sections;
 }
 
 // Shortens by the present step.  In a long marker only one section has to give way, each time another one: it would
@@ -131,28 +148,22 @@ void Exploration::shorten(double part, double split) {
 }
 
 bool Exploration::separate(local_search::Persistence persistence) {
-  auto outcome = search_->separate(layout_, persistence, [this] { return over(); });
-  if (outcome.loss == 0 && accept(outcome.layout)) return true;
-  pool_.push_back(std::move(outcome));
-  std::stable_sort(pool_.begin(), pool_.end(), [](const auto& a, const auto& b) { return a.loss < b.loss; });
-  if (pool_.size() > tuning_.pool) pool_.pop_back();
-  return false;
+  const Coord before = length_;
+  const auto outcome = search_->separate(layout_, persistence, [this] { return over(); });
+  return outcome.loss == 0 && proved(outcome.layout) && length_ < before;
 }
 
-void Exploration::take_from_pool() {
-  const double skewed = std::pow(search_->dice().unit(), tuning_.pool_skew);
-  layout_ = pool_[static_cast<std::size_t>(skewed * static_cast<double>(pool_.size()))].layout;
-}
-
-bool Exploration::accept(const layout::Layout& layout) {
+std::optional<Marker> Exploration::proved(const layout::Layout& layout) {
   auto done = filling::proved(to_marker(*set_, layout, best_), tuning_.separation_rounds, *run_);
-  if (!done) return false;
+  if (!done) return std::nullopt;
   programs_ += done->programs;
-  if (done->length_after >= length_) return false;
-  best_ = std::move(done->marker);
-  length_ = done->length_after;
-  on_better_({search_->moves(), length_}, best_);
-  return true;
+  if (done->length_after < length_) {
+    best_ = done->marker;
+    length_ = done->length_after;
+    converged_ = best_length() <= least_length_ + 2 / set_->lattice_units;
+    on_better_({search_->moves(), length_}, best_);
+  }
+  return std::move(done->marker);
 }
 
 bool Exploration::over() const {

@@ -1,12 +1,14 @@
 // One search for the shortest marker, from one start [GVW25].
 //
 //     put the pieces down one after another; separate and compact them
-//     explore: shorten the strip, separate, compact; after a failure, disrupt a layout that failed and try again
+//     until that fails: shorten the strip, separate, compact
+//     walk: perturb a marker that is hardly longer than the best one, separate, compact
 //     compress: shorten the best layout by a little at a random place, separate, compact
 //
 // Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
-// it counts; the strip is then shortened from the compacted length.  A search may be interrupted and continued later
-// (race.h).
+// it counts; the strip is then shortened from the compacted length.  A walk is an iterated local search that accepts
+// what is hardly longer than the best ("record-to-record travel") [LMS03, Due93].  A search may be interrupted and
+// continued later (race.h).
 #pragma once
 
 #include <cstdint>
@@ -62,15 +64,17 @@ class Exploration {
   void limited(std::uint64_t moves, const Work& work);
   void search();
   void explore();
+  void walk();
   void compress();
   void shorten_boldly();
   void shorten(double part, double split);
   [[nodiscard]] bool separate(local_search::Persistence persistence);
-  void take_from_pool();
-  // Makes a valid marker of a layout that hardly overlaps; true when it is shorter than the best.
-  [[nodiscard]] bool accept(const layout::Layout& layout);
+  // Makes a valid marker of a layout that hardly overlaps, which becomes the best when it is shorter.
+  [[nodiscard]] std::optional<Marker> proved(const layout::Layout& layout);
   [[nodiscard]] std::uint64_t own_moves() const { return before_ + (search_->moves() - taken_up_at_); }
   [[nodiscard]] bool exploring() const { return budget_.exploring(own_moves()); }
+  // Whether as many attempts in a row have failed as the layout has sections that can be shortened one at a time.
+  [[nodiscard]] bool stalled() const;
   [[nodiscard]] bool over() const;
   [[nodiscard]] double best_length() const { return static_cast<double>(length_) / set_->lattice_units; }
 
@@ -89,9 +93,9 @@ class Exploration {
   double worth_;         // a search whose best is not shorter than this has gained too little; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
+  std::size_t failures_{};  // in a row, with the least step
   bool converged_{};
-  layout::Layout layout_;                                  // the one that is worked on
-  std::vector<local_search::GuidedSearch::Outcome> pool_;  // failures at the present length, by loss
+  layout::Layout layout_;  // the one that is worked on
   int programs_{};
 };
 

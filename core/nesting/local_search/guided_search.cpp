@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/nesting/local_search/disruption.h"
+#include "core/nesting/local_search/perturbation.h"
 
 namespace selvage::nesting::local_search {
 
@@ -140,9 +140,9 @@ std::optional<std::size_t> GuidedSearch::most_overlapping(const layout::Layout& 
   return most;
 }
 
-void GuidedSearch::disrupt(layout::Layout& layout) {
+void GuidedSearch::perturb(layout::Layout& layout) {
   maps_.trim();
-  swap_large_pieces(*set_, maps_, tuning_.large_part, dice_, layout);
+  local_search::perturb(*set_, maps_, dice_, layout);
 }
 
 }  // namespace selvage::nesting::local_search

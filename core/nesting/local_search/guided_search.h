@@ -49,8 +49,8 @@ class GuidedSearch {
   // Of the pieces that may move and are not `spared`, the one with the largest loss; nothing when none has any.
   [[nodiscard]] std::optional<std::size_t> most_overlapping(const layout::Layout& layout,
                                                             std::optional<std::size_t> spared);
-  // Large pieces change places, and small ones that lay on them follow [GVW25].
-  void disrupt(layout::Layout& layout);
+  // Changes the layout a little (perturbation.h).
+  void perturb(layout::Layout& layout);
 
   [[nodiscard]] std::uint64_t moves() const { return moves_; }
   [[nodiscard]] layout::Dice& dice() { return dice_; }

@@ -26,7 +26,6 @@ struct SearchTuning {
   double progress{0.98};      // an iteration makes progress when at most this part of the loss is left
   std::size_t patience{200};  // iterations without progress end a strike
   std::size_t strikes{3};     // strikes in a row end a separation
-  double large_part{0.75};    // of the pieces' hulls that belongs to the large pieces, which disruptions swap
   friend bool operator==(const SearchTuning&, const SearchTuning&) = default;
 };
 

@@ -32,6 +32,18 @@ NestSettings settings_of(std::uint64_t moves) {
   return settings;
 }
 
+// Attempts are given up at once, so that the search walks (exploration.h).
+NestSettings walking(NestSettings settings) {
+  settings.tuning.bold_patience = 1;
+  settings.tuning.search.patience = settings.tuning.search.strikes = 1;
+  return settings;
+}
+
+// Every other trial walks.
+NestSettings settings_of_trial(int trial, std::uint64_t moves) {
+  return trial % 2 == 1 ? walking(settings_of(moves)) : settings_of(moves);
+}
+
 Nesting nested(const Marker& marker, const NestSettings& settings, const Executor& executor = serial()) {
   SumCache sums;
   auto done = nest(marker, settings, {sums, {}, {}, &executor});
@@ -66,7 +78,7 @@ TEST(Nest, ItsAnswersAreValidAndComplete) {
   Random random{1};
   for (int trial = 0; trial < 60 / test::kSlowdown; ++trial) {
     const Marker marker = partly_placed(random);
-    const Nesting nesting = nested(marker, settings_of(150));
+    const Nesting nesting = nested(marker, settings_of_trial(trial, 150));
     EXPECT_TRUE(is_valid(nesting.marker)) << "trial " << trial;
     EXPECT_EQ(ids_of(nesting.marker), ids_of(marker)) << "trial " << trial;
     EXPECT_EQ(nesting.length_after, length_of(nesting.marker));
@@ -90,7 +102,7 @@ TEST(Nest, MoreMovesAreNeverWorseBeforeSmallRotations) {
     marker.strip.longest.reset();
     Coord length = kLatticeLimit;
     for (const std::uint64_t moves : {0, 40, 90, 200, 400}) {
-      NestSettings settings = settings_of(moves);
+      NestSettings settings = settings_of_trial(trial, moves);
       settings.turn = false;
       const Coord next = nested(marker, settings).length_after;
       EXPECT_LE(next, length) << "trial " << trial << ", " << moves << " moves";
@@ -103,7 +115,7 @@ TEST(Nest, IsTheSameOnAnyNumberOfThreads) {
   Random random{3};
   for (int trial = 0; trial < 5; ++trial) {
     const Marker marker = partly_placed(random);
-    NestSettings settings = settings_of(100);
+    NestSettings settings = settings_of_trial(trial, 100);
     settings.searches = 3;
     const Nesting expected = nested(marker, settings);
     for (const std::size_t threads : {1U, 2U, 4U}) {
@@ -120,7 +132,7 @@ TEST(Nest, IsNeverLongerThanAValidInput) {
   Random random{4};
   for (int trial = 0; trial < 20 / test::kSlowdown; ++trial) {
     const Marker marker = test::random_marker(random);
-    EXPECT_LE(nested(marker, settings_of(100)).length_after, length_of(marker)) << "trial " << trial;
+    EXPECT_LE(nested(marker, settings_of_trial(trial, 100)).length_after, length_of(marker)) << "trial " << trial;
   }
 }
 
@@ -136,6 +148,16 @@ TEST(Nest, InterlocksTrianglesByHalfTurns) {
   const Marker marker = unplaced_pieces({{{0, 0}, {500'000, 0}, {0, 500'000}}}, 8, kWidth);
   const Nesting nesting = nested(marker, settings_of(3'000));
   EXPECT_LE(nesting.length_after, kWidth + kWidth / 100);
+}
+
+TEST(Nest, AWalkAloneShortensAMarker) {
+  const std::vector<Polygon> outlines{rectangle(200'000, 130'000), {{0, 0}, {310'000, 0}, {0, 170'000}}};
+  NestSettings settings = walking(settings_of(3'000));
+  settings.tuning.least_step = settings.tuning.first_step;
+  settings.tuning.explored = 1;
+  const Nesting nesting = nested(unplaced_pieces(outlines, 20, kWidth), settings);
+  ASSERT_GE(nesting.history.size(), 2U);
+  EXPECT_LT(nesting.history.back().length, nesting.history.front().length);
 }
 
 TEST(Nest, WithoutABudgetPlacesAllPieces) {
