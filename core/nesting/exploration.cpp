@@ -72,7 +72,7 @@ void Exploration::search() {
   while (!over() && !converged_) {
     if (!exploring()) {
       compress();
-    } else if (stalled()) {
+    } else if (stalled_) {
       walk();
     } else {
       shorten_boldly();
@@ -82,19 +82,14 @@ void Exploration::search() {
 }
 
 void Exploration::explore() {
-  while (!over() && !converged_ && exploring() && !stalled()) {
+  while (!over() && !converged_ && exploring() && !stalled_) {
     const bool bold = step_ > tuning_.least_step;
     const local_search::Persistence bold_persistence{tuning_.bold_patience, 1};
     const bool shorter =
         separate(bold ? bold_persistence : local_search::Persistence{tuning_.search.patience, tuning_.search.strikes});
     if (over()) return;
-    if (shorter) {
-      failures_ = 0;
-    } else if (bold) {
-      step_ = std::max(tuning_.least_step, step_ * tuning_.step_factor);
-    } else {
-      ++failures_;
-    }
+    stalled_ = !shorter && !bold;
+    if (!shorter) step_ = std::max(tuning_.least_step, step_ * tuning_.step_factor);
     shorten_boldly();
   }
 }
@@ -121,11 +116,6 @@ void Exploration::compress() {
     shorten(part, search_->dice().unit() * best_length());
     (void)separate({tuning_.squeeze_patience, tuning_.squeeze_strikes});
   }
-}
-
-bool Exploration::stalled() const {
-  const double sections = std::max(1.0, best_length() / (tuning_.search.stretch * set_->across()));
-  return static_cast<double>(failures_) >= sections;
 }
 
 // Shortens by the present step.  In a long marker only one section has to give way, each time another one: it would

@@ -73,8 +73,6 @@ class Exploration {
   [[nodiscard]] std::optional<Marker> proved(const layout::Layout& layout);
   [[nodiscard]] std::uint64_t own_moves() const { return before_ + (search_->moves() - taken_up_at_); }
   [[nodiscard]] bool exploring() const { return budget_.exploring(own_moves()); }
-  // Whether as many attempts in a row have failed as the layout has sections that can be shortened one at a time.
-  [[nodiscard]] bool stalled() const;
   [[nodiscard]] bool over() const;
   [[nodiscard]] double best_length() const { return static_cast<double>(length_) / set_->lattice_units; }
 
@@ -93,7 +91,7 @@ class Exploration {
   double worth_;         // a search whose best is not shorter than this has gained too little; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
-  std::size_t failures_{};  // in a row, with the least step
+  bool stalled_{};  // an attempt with the least step has failed
   bool converged_{};
   layout::Layout layout_;  // the one that is worked on
   int programs_{};
