@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <vector>
 
 #include "tests/core/nesting/unplaced_pieces.h"
 
