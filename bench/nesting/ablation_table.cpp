@@ -37,7 +37,7 @@ std::vector<Ablation> ablations() {
       {"a move descends from one place of the field instead of three",
        [](NestSettings& s) { s.tuning.search.best_places = 1; }},
       {"attempts are short from the beginning", [](NestSettings& s) { s.tuning.first_step = s.tuning.least_step; }},
-      {"no walk", [](NestSettings& s) { s.tuning.walk_patience = 0; }},
+      {"no walk", [](NestSettings& s) { s.tuning.walk_moves = 0; }},
       {"one start", [](NestSettings& s) { s.tuning.raced = 0; }},
       {"no compression in the end", [](NestSettings& s) { s.tuning.explored = 1; }},
       {"no small rotations in the end", [](NestSettings& s) { s.turn = false; }},

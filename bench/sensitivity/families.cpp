@@ -304,7 +304,7 @@ Family walks_family() {
   settings.tuning.raced_moves = settings.moves;  // one start
   return {"walks", "the mean length of three nestings from nothing, of 60,000 moves and one start each", as_it_is,
           constants_of<NestTuning, NestSettings>(
-              settings, {{"walk_slack", &NestTuning::walk_slack}, {"walk_patience", &NestTuning::walk_patience}},
+              settings, {{"walk_slack", &NestTuning::walk_slack}, {"walk_moves", &NestTuning::walk_moves}},
               own_tuning<NestTuning, NestSettings>, nested)};
 }
 

@@ -102,7 +102,9 @@ void Exploration::walk() {
     layout_ = to_layout(*set_, at);
     set_length(*set_, layout_, longest, search_->dice().unit() * best_length());
     search_->perturb(layout_);
-    const auto outcome = search_->separate(layout_, {tuning_.walk_patience, 1}, [this] { return over(); });
+    const std::uint64_t last = search_->moves() + tuning_.walk_moves;
+    const auto given_up = [&] { return search_->moves() > last || over(); };
+    const auto outcome = search_->separate(layout_, {tuning_.search.patience, 1}, given_up);
     if (outcome.loss > 0) continue;
     auto marker = proved(outcome.layout);
     if (marker && static_cast<double>(length_of(*marker)) <= longest * set_->lattice_units) at = *std::move(marker);

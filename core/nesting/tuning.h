@@ -18,9 +18,9 @@ struct NestTuning {
   double least_step{0.001};       // down to this part; when that fails, too, the search walks
   std::size_t bold_patience{60};  // iterations without progress that end an attempt while steps are larger than that
   // A walk visits markers that are longer than the best one by no more than this part, and gives a step up after so
-  // many iterations without progress.
+  // many moves: most of the steps that succeed take fewer than 100, and those that fail would take about a thousand.
   double walk_slack{0.0015};
-  std::size_t walk_patience{40};
+  std::uint64_t walk_moves{200};
   double explored{0.8};        // part of the budget; the rest is for compression:
   double first_squeeze{5e-4};  // attempts that shorten the best layout by this part,
   double last_squeeze{1e-5};   // at the end by this one,
@@ -32,7 +32,7 @@ struct NestTuning {
   // A start makes this many moves before it is compared with another one (race.h), fewer when time is short; with a
   // time limit, new starts are made until this part of it is used up.
   std::uint64_t raced_moves{200'000}, least_raced_moves{20'000};
-  double raced{0.5};
+  double raced{0.25};
   // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
   // of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};
