@@ -187,7 +187,8 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
     best = begin();
     best->advance(std::numeric_limits<std::uint64_t>::max());
   } else {
-    Race race{begin, {tuning.least_raced_moves, tuning.raced_moves, tuning.raced}, budget};
+    const Race::Terms terms{tuning.least_raced_moves, tuning.raced_moves, tuning.raced, tuning.raced_gain};
+    Race race{begin, terms, budget};
     best = race.run(guided);
     searched.programs = race.programs();
   }

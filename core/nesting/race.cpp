@@ -4,26 +4,57 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace selvage::nesting {
 
 std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search) {
   std::optional<double> first;  // the part of the budget that the first start has used up
+  Runner best = race(search, [&] {
+    if (!first) first = budget_.used(search.moves());
+    return may_start(search.moves(), *first);
+  });
+  bool gains = true;
+  std::uint64_t before = 0;
+  while (budget_.timed() && may_continue(best, search.moves()) && search.moves() > before) {
+    before = search.moves();
+    if (gains) {
+      gains = shortened(best);
+    } else {
+      const std::uint64_t until = before + moves_of(best);
+      Runner other = race(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
+      gains = other.exploration->length() < best.exploration->length();
+      if (gains) std::swap(best, other);
+      programs_ += other.exploration->programs();
+    }
+  }
+  best.exploration->advance(std::numeric_limits<std::uint64_t>::max());
+  return std::move(best.exploration);
+}
+
+// The best of new starts: of one, and of as many more as there may be.
+Race::Runner Race::race(const local_search::GuidedSearch& search, const std::function<bool()>& may_start) {
+  std::vector<Runner> runners;  // shares fall from the first to the last
   std::uint64_t before = 0;     // moves, when the last start began
   do {
     before = search.moves();
-    start(search);
-    if (!first) first = budget_.used(search.moves());
-    while (runners_.size() > 1 && runners_.end()[-2].shares == runners_.back().shares) compare_last_two();
-  } while (search.moves() > before && may_start(search.moves(), *first));
-  const auto best = std::min_element(runners_.begin(), runners_.end(), [](const Runner& a, const Runner& b) {
+    runners.push_back(start(search));
+    while (runners.size() > 1 && runners.end()[-2].shares == runners.back().shares) {
+      Runner last = std::move(runners.back());
+      runners.pop_back();
+      Runner& winner = runners.back();
+      if (last.exploration->length() < winner.exploration->length()) std::swap(last, winner);
+      programs_ += last.exploration->programs();
+      (void)shortened(winner);
+    }
+  } while (search.moves() > before && !runners.back().exploration->converged() && may_start());
+  const auto best = std::min_element(runners.begin(), runners.end(), [](const Runner& a, const Runner& b) {
     return a.exploration->length() < b.exploration->length();
   });
-  for (const Runner& runner : runners_) {
+  for (const Runner& runner : runners) {
     if (&runner != &*best) programs_ += runner.exploration->programs();
   }
-  best->exploration->advance(std::numeric_limits<std::uint64_t>::max());
-  return std::move(best->exploration);
+  return std::move(*best);
 }
 
 // The moves that several starts can make in their part of the time, going by the moves that the first has made so far.
@@ -37,26 +68,28 @@ std::uint64_t Race::share_in_time(std::uint64_t moves) const {
 
 bool Race::may_start(std::uint64_t moves, double first) const {
   constexpr double kFewestStarts = 4;  // the best of fewer is hardly better than the first
-  if (budget_.over(moves) || runners_.back().exploration->converged()) return false;
+  if (budget_.over(moves)) return false;
   return !budget_.timed() || (kFewestStarts * first <= terms_.raced && budget_.used(moves) + first <= terms_.raced);
 }
 
-void Race::start(const local_search::GuidedSearch& search) {
+bool Race::may_continue(const Runner& best, std::uint64_t moves) const {
+  return !budget_.over(moves) && budget_.exploring(moves) && !best.exploration->converged();
+}
+
+Race::Runner Race::start(const local_search::GuidedSearch& search) {
   const bool first = search.moves() == 0;
   Runner runner{begin_(), 1};
   if (first && budget_.timed()) share_ = share_in_time(search.moves());
   runner.exploration->advance(share_);
-  runners_.push_back(std::move(runner));
+  return runner;
 }
 
-void Race::compare_last_two() {
-  Runner last = std::move(runners_.back());
-  runners_.pop_back();
-  Runner& winner = runners_.back();
-  if (last.exploration->length() < winner.exploration->length()) std::swap(last, winner);
-  programs_ += last.exploration->programs();
-  winner.exploration->advance(share_ * static_cast<std::uint64_t>(winner.shares));
-  winner.shares *= 2;
+// Lets it make as many moves again; true if that has shortened its marker noticeably.
+bool Race::shortened(Runner& runner) const {
+  const auto before = static_cast<double>(runner.exploration->length());
+  runner.exploration->advance(moves_of(runner));
+  runner.shares *= 2;
+  return static_cast<double>(runner.exploration->length()) < before * (1 - terms_.least_gain);
 }
 
 }  // namespace selvage::nesting

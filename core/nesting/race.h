@@ -9,15 +9,18 @@
 //         drop the one with the longer marker, and let the other make as many moves again
 //
 // With a limit on moves, what a race does next does not depend on the limit.  With a time limit, a part of the time is
-// spent on starts, whose share of moves is reduced where that leaves time for more of them; the best exploration gets
-// the rest.
+// spent on starts, whose share of moves is reduced where that leaves time for more of them.  Then the best exploration
+// goes on, as long as it gains enough:
+//
+//     repeat: let the best exploration make as many moves again as it has made
+//       if that has hardly shortened its marker: race new starts for as many moves, of which a better one takes its
+//       place
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "core/nesting/exploration.h"
 
@@ -30,7 +33,8 @@ class Race {
 
   struct Terms {
     std::uint64_t least{}, most{};  // moves of a start before it is compared: `most`; with a time limit maybe fewer
-    double raced{};                 // part of a time limit that is spent on starts
+    double raced{};                 // part of a time limit that is spent on starts at first
+    double least_gain{};            // the best exploration goes on while doubling its moves gains more than this part
   };
 
   Race(Begin begin, Terms terms, const Budget& budget)
@@ -47,17 +51,21 @@ class Race {
     int shares{};  // of moves that it has made: a power of two
   };
 
+  [[nodiscard]] Runner race(const local_search::GuidedSearch& search, const std::function<bool()>& may_start);
+  [[nodiscard]] Runner start(const local_search::GuidedSearch& search);
+  [[nodiscard]] bool shortened(Runner& runner) const;
+  [[nodiscard]] std::uint64_t moves_of(const Runner& runner) const {
+    return share_ * static_cast<std::uint64_t>(runner.shares);
+  }
   [[nodiscard]] std::uint64_t share_in_time(std::uint64_t moves) const;
   [[nodiscard]] bool may_start(std::uint64_t moves, double first) const;
-  void start(const local_search::GuidedSearch& search);
-  void compare_last_two();
+  [[nodiscard]] bool may_continue(const Runner& best, std::uint64_t moves) const;
 
   Begin begin_;
   Terms terms_;
   std::uint64_t share_;
   const Budget& budget_;
   int programs_{};
-  std::vector<Runner> runners_;  // shares fall from the first to the last
 };
 
 }  // namespace selvage::nesting

@@ -29,10 +29,11 @@ struct NestTuning {
   std::uint64_t moves_in_vain{std::numeric_limits<std::uint64_t>::max()};
   double least_gain{0};
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
-  // A start makes this many moves before it is compared with another one (race.h), fewer when time is short; with a
-  // time limit, new starts are made until this part of it is used up.
+  // A start makes this many moves before it is compared with another one (race.h), fewer when time is short.  With a
+  // time limit, new starts are made until this part of it is used up, and later when the best one has gained no more
+  // than this part of its length while it made as many moves again.
   std::uint64_t raced_moves{200'000}, least_raced_moves{20'000};
-  double raced{0.25};
+  double raced{0.25}, raced_gain{0.001};
   // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
   // of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};

@@ -38,7 +38,7 @@ class Races : public ::testing::Test {
       exploration->begin(to_layout(set_, first_), set_.fixed);
       return exploration;
     };
-    return Race{begin, {kShare / 2, kShare, raced}, budget}.run(guided_);
+    return Race{begin, {kShare / 2, kShare, raced, 0}, budget}.run(guided_);
   }
 
   SumCache sums_;
@@ -75,20 +75,36 @@ TEST_F(Races, TheShorterOfTwoMakesAsManyMovesAgain) {
   EXPECT_GE(begun_at_[2], begun_at_[1] + 2 * kShare);
 }
 
-TEST_F(Races, InTimeStartsEndWithTheirPartOfIt) {
+// The pieces are so few that the best start soon gains no more: then others follow, until exploration ends.
+TEST_F(Races, InTimeFurtherStartsFollowWhenTheBestGainsNoMore) {
   const auto elapsed = [this] { return static_cast<double>(guided_.moves()) / (40 * kShare); };
   const Budget budget{1'000'000, elapsed, {}, 0.8, 40};
-  const auto best = race(budget, 0.5);
-  EXPECT_GE(begun_at_.size(), 4U);
-  EXPECT_LT(begun_at_.back(), 20 * kShare);
+  const auto best = race(budget, 0.25);
+  const auto first_after =
+      std::find_if(begun_at_.begin(), begun_at_.end(), [](auto moves) { return moves > 10 * kShare; });
+  ASSERT_GE(first_after - begun_at_.begin(), 4);
+  ASSERT_NE(first_after, begun_at_.end());
+  EXPECT_GE(*first_after - *std::prev(first_after), 2 * kShare) << "the best has made as many moves again";
+  EXPECT_LT(begun_at_.back(), 32 * kShare);
   EXPECT_EQ(best->length(), shortest_);
 }
 
-TEST_F(Races, AreLeftOutWhenOneStartTakesMostOfTheTime) {
+// However many moves it makes, its marker becomes no shorter, and it makes no moves for ever.
+TEST_F(Races, InTimeEndWithStartsThatMakeNoMove) {
+  NestTuning in_vain;
+  in_vain.moves_in_vain = kShare / 2;
+  in_vain.least_gain = 1;
+  (void)race({1'000'000, [] { return 0.1; }, stop_.get_token(), 0.8, 40}, 0.5, in_vain);
+  EXPECT_LT(begun_at_.size(), kTooMany);
+}
+
+// The first start makes half a share, and half a share again, before another one takes its turn.
+TEST_F(Races, BeginWithOneStartThatGoesOnWhenItTakesMostOfTheTime) {
   const auto elapsed = [this] { return static_cast<double>(guided_.moves()) / (2 * kShare); };
   const Budget budget{1'000'000, elapsed, {}, 0.8, 40};
   (void)race(budget, 0.5);
-  EXPECT_EQ(begun_at_.size(), 1U);
+  ASSERT_EQ(begun_at_.size(), 2U);
+  EXPECT_GE(begun_at_[1], kShare);
 }
 
 TEST_F(Races, EndWithTheFirstStartThatMakesNoMove) {
