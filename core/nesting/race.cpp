@@ -10,7 +10,7 @@ namespace selvage::nesting {
 
 std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search) {
   std::optional<double> first;  // the part of the budget that the first start has used up
-  Runner best = race(search, [&] {
+  Runner best = best_of_starts(search, [&] {
     if (!first) first = budget_.used(search.moves());
     return may_start(search.moves(), *first);
   });
@@ -19,10 +19,13 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
   while (budget_.timed() && may_continue(best, search.moves()) && search.moves() > before) {
     before = search.moves();
     if (gains) {
-      gains = shortened(best);
+      const auto length = static_cast<double>(best.exploration->length());
+      double_moves(best);
+      gains = static_cast<double>(best.exploration->length()) < length * (1 - terms_.least_gain);
     } else {
       const std::uint64_t until = before + moves_of(best);
-      Runner other = race(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
+      Runner other =
+          best_of_starts(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
       gains = other.exploration->length() < best.exploration->length();
       if (gains) std::swap(best, other);
       programs_ += other.exploration->programs();
@@ -32,8 +35,8 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
   return std::move(best.exploration);
 }
 
-// The best of new starts: of one, and of as many more as there may be.
-Race::Runner Race::race(const local_search::GuidedSearch& search, const std::function<bool()>& may_start) {
+// Races one new start, and as many more as there may be.
+Race::Runner Race::best_of_starts(const local_search::GuidedSearch& search, const std::function<bool()>& another) {
   std::vector<Runner> runners;  // shares fall from the first to the last
   std::uint64_t before = 0;     // moves, when the last start began
   do {
@@ -45,9 +48,9 @@ Race::Runner Race::race(const local_search::GuidedSearch& search, const std::fun
       Runner& winner = runners.back();
       if (last.exploration->length() < winner.exploration->length()) std::swap(last, winner);
       programs_ += last.exploration->programs();
-      (void)shortened(winner);
+      double_moves(winner);
     }
-  } while (search.moves() > before && !runners.back().exploration->converged() && may_start());
+  } while (search.moves() > before && !runners.back().exploration->converged() && another());
   const auto best = std::min_element(runners.begin(), runners.end(), [](const Runner& a, const Runner& b) {
     return a.exploration->length() < b.exploration->length();
   });
@@ -84,12 +87,10 @@ Race::Runner Race::start(const local_search::GuidedSearch& search) {
   return runner;
 }
 
-// Lets it make as many moves again; true if that has shortened its marker noticeably.
-bool Race::shortened(Runner& runner) const {
-  const auto before = static_cast<double>(runner.exploration->length());
+// Lets it make as many moves again as it has made.
+void Race::double_moves(Runner& runner) const {
   runner.exploration->advance(moves_of(runner));
   runner.shares *= 2;
-  return static_cast<double>(runner.exploration->length()) < before * (1 - terms_.least_gain);
 }
 
 }  // namespace selvage::nesting

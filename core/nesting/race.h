@@ -51,9 +51,9 @@ class Race {
     int shares{};  // of moves that it has made: a power of two
   };
 
-  [[nodiscard]] Runner race(const local_search::GuidedSearch& search, const std::function<bool()>& may_start);
+  [[nodiscard]] Runner best_of_starts(const local_search::GuidedSearch& search, const std::function<bool()>& another);
   [[nodiscard]] Runner start(const local_search::GuidedSearch& search);
-  [[nodiscard]] bool shortened(Runner& runner) const;
+  void double_moves(Runner& runner) const;
   [[nodiscard]] std::uint64_t moves_of(const Runner& runner) const {
     return share_ * static_cast<std::uint64_t>(runner.shares);
   }

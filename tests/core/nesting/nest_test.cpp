@@ -383,18 +383,6 @@ TEST(Nest, ChoosesTheMoreValuableOfEqualPieces) {
   }
 }
 
-TEST(Nest, UsesOverlapAllowances) {
-  // Two pieces next to each other fit the width only because of their allowance.
-  Marker marker = unplaced_pieces({rectangle(300'000, 501'000)}, 8, kWidth);
-  for (Shape& shape : marker.shapes) shape.rotations = {{0}};
-  marker.overlap = 2'000;
-  const Nesting nesting = nested(marker, settings_of(4'000));
-  EXPECT_TRUE(is_valid(nesting.marker));
-  EXPECT_LE(nesting.length_after, 4 * 300'000 - 3 * 2'000 + 100);
-  marker.overlap = 0;
-  EXPECT_GT(nested(marker, settings_of(400)).length_after, 2'000'000);
-}
-
 TEST(Nest, PlacesNewPiecesBesidesThoseThatStay) {
   Marker marker = unplaced_pieces({rectangle(400'000, 400'000)}, 4, kWidth);
   marker.pieces = {marker.unplaced[0]};

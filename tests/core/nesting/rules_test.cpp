@@ -82,6 +82,21 @@ TEST(RulesInNesting, BandsAndSelvedgesOfTheirOwnAreKept) {
   EXPECT_LE(done->length_after, 15 * kSide);
 }
 
+TEST(RulesInNesting, OverlapAllowancesAreUsed) {
+  // Two pieces next to each other fit the width only because of their allowance.
+  Marker marker = unplaced_pieces({rectangle(300'000, 501'000)}, 8, kWidth);
+  for (Shape& shape : marker.shapes) shape.rotations = {{0}};
+  marker.overlap = 2'000;
+  const auto allowed = nested(marker, 4'000);
+  ASSERT_TRUE(allowed) << allowed.error().message;
+  EXPECT_TRUE(is_valid(allowed->marker));
+  EXPECT_LE(allowed->length_after, 4 * 300'000 - 3 * 2'000 + 100);
+  marker.overlap = 0;
+  const auto refused = nested(marker, 400);
+  ASSERT_TRUE(refused) << refused.error().message;
+  EXPECT_GT(refused->length_after, 2'000'000);
+}
+
 TEST(RulesInNesting, PiecesOfAShadeStayTogetherWhateverElseMoves) {
   Marker marker = squares(18);
   marker.shade = 7 * kSide;  // room for six
