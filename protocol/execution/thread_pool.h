@@ -1,10 +1,12 @@
 // A thread pool: the threads that call for_each(), and pool threads that all callers share.
 //
 // A caller executes parts itself and waits only for parts that a pool thread has already started.  So it always makes
-// progress, whatever other callers and the pool threads do.  A pool thread takes a part only if a core is free for it,
+// progress, whatever other callers and the pool threads do.  Both look for a moment whether what they wait for has come
+// before they sleep.  A pool thread takes a part only if a core is free for it,
 // which is checked before every part.  Parts may call for_each() again.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstddef>
 #include <exception>
@@ -39,12 +41,14 @@ class ThreadPool final : public Executor {
   struct Task {
     const Part& part;
     const std::size_t count;
-    std::size_t next{};               // the first that nobody has taken
-    std::size_t under_way{};          // taken, not ended
-    std::exception_ptr thrown{};      // by the first part of those that threw
-    std::size_t thrower{};            // that part
-    std::condition_variable ended{};  // no part is being executed
+    std::size_t next{};                    // the first that nobody has taken
+    std::atomic<std::size_t> under_way{};  // taken, not ended
+    std::exception_ptr thrown{};           // by the first part of those that threw
+    std::size_t thrower{};                 // that part
+    std::condition_variable ended{};       // no part is being executed
   };
+  // No thread takes another part of the task.  REQUIRES: the lock is held.
+  void close(const Task& task) const;
   // Takes the task's next part and does it.  REQUIRES: there is one; the lock is held, and is again afterwards.
   void do_next(Task& task, std::unique_lock<std::mutex>& lock) const;
   void help(const std::stop_token& end);
@@ -52,8 +56,9 @@ class ThreadPool final : public Executor {
   const std::size_t helpers_;
   const Spare spare_;
   mutable std::mutex mutex_;
-  mutable std::condition_variable_any work_;  // a task has been added
-  mutable std::list<Task*> open_;             // the tasks with parts that nobody has taken
+  mutable std::condition_variable_any work_;   // a task has been added
+  mutable std::list<Task*> open_;              // the tasks with parts that nobody has taken
+  mutable std::atomic<std::size_t> opened_{};  // how many these are
   std::size_t helping_{};
   std::vector<std::jthread> threads_;
 };
