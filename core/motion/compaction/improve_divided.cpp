@@ -8,18 +8,33 @@
 namespace selvage::motion::compaction {
 namespace {
 
-// Shortens the scene in sections.  Each pass counts as a round.
-Progress improve_sections(scene::Scene& scene, const CompactionSettings& settings, const scene::Run& run) {
-  CompactionSettings of_section = settings;
-  of_section.least_gain = std::max(settings.least_gain, settings.tuning.section_gain);
-  of_section.sweeps = false;
-  const auto shorten_section = [&](scene::Scene& section, const scene::Run& own) -> sections::SectionGain {
-    const Progress progress = improve(section, step::leftward_goal(section, settings.gravity), of_section, own);
+// Rounds of a section, as many as the settings allow.
+sections::ShortenSection section_rounds(CompactionSettings settings) {
+  settings.least_gain = std::max(settings.least_gain, settings.tuning.section_gain);
+  settings.sweeps = false;
+  return [settings](scene::Scene& section, const scene::Run& run) -> sections::SectionGain {
+    const Progress progress = improve(section, step::leftward_goal(section, settings.gravity), settings, run);
     return {progress.gain, progress.programs};
   };
+}
+
+// Whether the first round of a marker of many sections will be hard: when the section in the middle, and another one,
+// solve the program of theirs again.
+bool begins_hard(const scene::Scene& scene, const CompactionSettings& settings, const scene::Run& run) {
+  if (settings.rounds == 0 || scene.pieces.size() < settings.tuning.sections.sampled) return false;
+  CompactionSettings once = settings;
+  once.rounds = 1;
+  const auto is_hard = [&](double at) {
+    return sections::shorten_copy(scene, settings.tuning.sections, at, section_rounds(once), run).programs > 1;
+  };
+  return is_hard(0.5) && (is_hard(0.25) || is_hard(0.75));
+}
+
+// Shortens the scene in sections.  Each pass counts as a round.
+Progress improve_sections(scene::Scene& scene, const CompactionSettings& settings, const scene::Run& run) {
   const Coord before = scene.pieces.length();
   const sections::Passes done =
-      sections::shorten_in_sections(scene, settings.tuning.sections, settings.rounds, shorten_section, run);
+      sections::shorten_in_sections(scene, settings.tuning.sections, settings.rounds, section_rounds(settings), run);
   Progress progress;
   progress.rounds = done.passes;
   progress.programs = done.programs;
@@ -36,8 +51,11 @@ Progress improve_divided(scene::Scene& scene, const step::Goal& goal, const Comp
       settings.sections && scene.pieces.size() >= tuning.sections.many && sections::can_be_divided(scene);
   CompactionSettings first = settings;
   first.hard_round = divides ? tuning.hard_round : 0;
-  Progress progress = improve(scene, goal, first, run);
-  if (!progress.hard) return progress;
+  Progress progress;
+  if (!divides || !begins_hard(scene, settings, run)) {
+    progress = improve(scene, goal, first, run);
+    if (!progress.hard) return progress;
+  }
   scene::Run later = run;
   later.observer.on_round = [&](scene::Round round) {
     round.number += progress.rounds;

@@ -31,6 +31,18 @@ std::vector<Vec> joined(const std::vector<Section>& sections, const std::vector<
   return positions;
 }
 
+std::vector<Section> cut(const scene::Scene& scene, const SectionTuning& tuning, double offset) {
+  const auto width = static_cast<double>(scene.marker.strip.width);
+  return sections_of(scene.pieces, {tuning.pieces, offset, std::llround(tuning.layer * width)});
+}
+
+// Sections report their stages and programs only where they are shortened one after another.
+scene::Run run_of_section(const scene::Run& run) {
+  scene::Run own = run.quiet();
+  if (run.executor->parallelism() > 1) own.observer = {};
+  return own;
+}
+
 class SectionPasses {
  public:
   SectionPasses(scene::Scene& scene, const SectionTuning& tuning, const ShortenSection& shorten, const scene::Run& run)
@@ -44,12 +56,6 @@ class SectionPasses {
   [[nodiscard]] bool is_settled(const Section& section) const {
     return std::all_of(section.free.begin(), section.free.end(), [this](std::uint32_t i) { return settled_[i] != 0; });
   }
-  // Sections report their stages and programs only where they are shortened one after another.
-  [[nodiscard]] scene::Run run_of_section() const {
-    scene::Run run{run_.sums, run_.stop};
-    if (run_.executor->parallelism() == 1) run.observer = run_.quiet().observer;
-    return run;
-  }
 
   scene::Scene& scene_;
   const SectionTuning& tuning_;
@@ -60,19 +66,24 @@ class SectionPasses {
 };
 
 Coord SectionPasses::pass(double offset) {
-  const auto width = static_cast<double>(scene_.marker.strip.width);
-  const auto sections = sections_of(scene_.pieces, {tuning_.pieces, offset, std::llround(tuning_.layer * width)});
+  const std::vector<Section> sections = cut(scene_, tuning_, offset);
   std::vector<std::optional<MovedSection>> moved(sections.size());
   std::vector<SectionGain> gains(sections.size());
-  run_.executor->for_each(sections.size(), [&](std::size_t s) {
-    if (is_settled(sections[s]) || run_.stopped()) return;
-    const scene::Run run = run_of_section();
+  std::vector<std::size_t> unsettled;
+  for (std::size_t s = 0; s < sections.size(); ++s) {
+    if (!is_settled(sections[s])) unsettled.push_back(s);
+  }
+  run_.executor->for_each(unsettled.size(), [&](std::size_t k) {
+    if (run_.stopped()) return;
+    const std::size_t s = unsettled[k];
+    const scene::Run run = run_of_section(run_);
     SectionScene own = scene_of(sections[s], scene_, run);
     gains[s] = shorten_(own.scene, run);
     moved[s] = moved_section(sections[s], own, scene_);
   });
+  const double settled_below = tuning_.settled * static_cast<double>(scene_.marker.strip.width);
   for (std::size_t s = 0; s < sections.size(); ++s) {
-    const char settled = gains[s].gain < tuning_.settled * width ? 1 : 0;
+    const char settled = gains[s].gain < settled_below ? 1 : 0;
     for (const std::uint32_t i : sections[s].free) settled_[i] = settled;
     programs_ += gains[s].programs;
   }
@@ -87,6 +98,14 @@ Coord SectionPasses::pass(double offset) {
 }
 
 }  // namespace
+
+SectionGain shorten_copy(const scene::Scene& scene, const SectionTuning& tuning, double at,
+                         const ShortenSection& shorten, const scene::Run& run) {
+  const std::vector<Section> sections = cut(scene, tuning, 0);
+  const auto number = static_cast<std::size_t>(at * static_cast<double>(sections.size()));
+  SectionScene copy = scene_of(sections[number], scene, run);
+  return shorten(copy.scene, run.quiet());
+}
 
 Passes shorten_in_sections(scene::Scene& scene, const SectionTuning& tuning, int most, const ShortenSection& shorten,
                            const scene::Run& run) {

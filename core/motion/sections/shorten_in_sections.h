@@ -33,4 +33,9 @@ struct Passes {
 [[nodiscard]] Passes shorten_in_sections(scene::Scene& scene, const SectionTuning& tuning, int most,
                                          const ShortenSection& shorten, const scene::Run& run);
 
+// What shortening one section would gain; the scene stays as it is.  `at`, 0 <= at < 1: where the section lies, as a
+// part of their number.  REQUIRES: can_be_divided(scene).
+[[nodiscard]] SectionGain shorten_copy(const scene::Scene& scene, const SectionTuning& tuning, double at,
+                                       const ShortenSection& shorten, const scene::Run& run);
+
 }  // namespace selvage::motion::sections

@@ -7,6 +7,8 @@
 
 #include "core/marker/validity.h"
 #include "tests/core/motion/markers.h"
+#include "tests/support/garment.h"
+#include "tests/support/tiled/tiled_marker.h"
 
 namespace selvage::motion::compaction {
 namespace {
@@ -285,6 +287,33 @@ TEST(Compact, ReportsPassesOverSectionsAsRounds) {
     EXPECT_LE(rounds[k].length, last);
     last = rounds[k].length;
   }
+}
+
+// The columns of the largest program before the first round is reported.
+int columns_before_first_round(const Marker& marker, const CompactionSettings& settings) {
+  SumCache sums;
+  scene::Run run{sums};
+  int columns = 0;
+  bool reported = false;
+  run.observer.on_program = [&](const lp::LinearProgram& program) {
+    if (!reported) columns = std::max(columns, program.columns());
+  };
+  run.observer.on_round = [&](const scene::Round&) { reported = true; };
+  EXPECT_TRUE(compact(marker, settings, run));
+  return columns;
+}
+
+TEST(Compact, OfALongMarkerSolvesNoWholeProgramFirstWhenItsSectionsAreHard) {
+  const Marker easy = test::tiled(test::garment("charlie_04g"), 240);
+  const Marker hard = test::loosened(test::tiled(test::garment("jeans_02g"), 240), 0.03);
+  CompactionSettings settings = kStandard;
+  settings.sweeps = false;
+  settings.tuning.sections.many = settings.tuning.sections.sampled = 200;
+  settings.tuning.sections.pieces = 50;
+  EXPECT_GT(columns_before_first_round(easy, settings), 300);
+  EXPECT_LT(columns_before_first_round(hard, settings), 200);
+  settings.tuning.sections.sampled = 1000;
+  EXPECT_GT(columns_before_first_round(hard, settings), 300);
 }
 
 TEST(Compact, HandlesAPieceInsideTheBoxOfAnother) {

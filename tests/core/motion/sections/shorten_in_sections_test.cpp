@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/marker/validity.h"
 #include "core/motion/compaction/compact.h"
@@ -131,6 +133,24 @@ TEST(ShortenInSections, SettledSectionsAreLeftAlone) {
   EXPECT_EQ(shorten_in_sections(scene, tuning, 12, counted, {sums}).passes, 12);
   EXPECT_LT(calls, 30);  // of about 48
   EXPECT_LE(scene.pieces.length(), 4008);
+}
+
+TEST(ShortenInSections, ACopyOfASectionLeavesTheMarkerAsItIs) {
+  const Marker marker = row_of_squares();
+  SumCache sums;
+  const scene::Scene scene{marker, sums};
+  std::vector<std::string> first;  // pieces of the sections
+  const auto noted = [&first](scene::Scene& section, const scene::Run& run) {
+    first.push_back(section.marker.pieces.front().id);
+    return compacted(section, run);
+  };
+  for (const double at : {0.0, 0.5, 0.99}) {
+    const SectionGain gain = shorten_copy(scene, sections_of_size(8), at, noted, {sums});
+    EXPECT_GT(gain.gain, 0);
+    EXPECT_GT(gain.programs, 0);
+    EXPECT_EQ(scene.result(), marker);
+  }
+  EXPECT_EQ(std::set<std::string>(first.begin(), first.end()).size(), 3U);
 }
 
 TEST(ShortenInSections, DoesNothingWhenCancelled) {
