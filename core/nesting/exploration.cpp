@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/nesting/filling/proved_layout.h"
+#include "core/nesting/local_search/pool.h"
 
 namespace selvage::nesting {
 namespace {
@@ -73,7 +74,7 @@ void Exploration::search() {
     if (!exploring()) {
       compress();
     } else if (stalled_) {
-      walk();
+      take_a_turn();
     } else {
       shorten_boldly();
       explore();
@@ -94,10 +95,22 @@ void Exploration::explore() {
   }
 }
 
+// Walks or attempts, and then does the same again if it has shortened the marker, else the other.
+void Exploration::take_a_turn() {
+  const Coord before = length_;
+  const std::uint64_t end = own_moves() + tuning_.turn_moves;
+  if (walking_) {
+    walk(end);
+  } else {
+    attempt(end);
+  }
+  if (length_ == before) walking_ = !walking_;
+}
+
 // From one valid marker to another that is hardly longer than the best.
-void Exploration::walk() {
+void Exploration::walk(std::uint64_t end) {
   Marker at = best_;
-  while (!over() && !converged_ && exploring()) {
+  while (!over() && !converged_ && exploring() && own_moves() < end) {
     const double longest = best_length() * (1 + tuning_.walk_slack);
     layout_ = to_layout(*set_, at);
     set_length(*set_, layout_, longest, search_->dice().unit() * best_length());
@@ -108,6 +121,26 @@ void Exploration::walk() {
     if (outcome.loss > 0) continue;
     auto marker = proved(outcome.layout);
     if (marker && static_cast<double>(length_of(*marker)) <= longest * set_->lattice_units) at = *std::move(marker);
+  }
+}
+
+// Tries to shorten the best marker by the least step, each time starting from a failed attempt.
+void Exploration::attempt(std::uint64_t end) {
+  local_search::Pool pool{tuning_.pool, tuning_.pool_skew};
+  const local_search::Persistence persistence{tuning_.search.patience, tuning_.search.strikes};
+  const auto given_up = [&] { return over() || own_moves() >= end; };
+  shorten_boldly();
+  while (!over() && !converged_ && exploring() && own_moves() < end) {
+    const Coord before = length_;
+    auto outcome = search_->separate(layout_, persistence, given_up);
+    if (outcome.loss == 0 && proved(outcome.layout) && length_ < before) {
+      pool.clear();
+      shorten_boldly();
+    } else {
+      pool.add(std::move(outcome));
+      layout_ = pool.draw(search_->dice());
+      search_->perturb(layout_);
+    }
   }
 }
 

@@ -2,13 +2,14 @@
 //
 //     put the pieces down one after another; separate and compact them
 //     until that fails: shorten the strip, separate, compact
-//     walk: perturb a marker that is hardly longer than the best one, separate, compact
+//     then, by turns: walk: perturb a marker that is hardly longer than the best one, separate, compact
+//                     attempt: shorten the best one, perturb a layout that could not be separated, separate, compact
 //     compress: shorten the best layout by a little at a random place, separate, compact
 //
 // Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
 // it counts; the strip is then shortened from the compacted length.  A walk is an iterated local search that accepts
-// what is hardly longer than the best ("record-to-record travel") [LMS03, Due93].  A search may be interrupted and
-// continued later (race.h).
+// what is hardly longer than the best ("record-to-record travel") [LMS03, Due93].  Where pieces are few and large,
+// it soon finds nothing shorter, while attempts still do [GVW25].  A search may be interrupted and continued later (race.h).
 #pragma once
 
 #include <cstdint>
@@ -64,7 +65,9 @@ class Exploration {
   void limited(std::uint64_t moves, const Work& work);
   void search();
   void explore();
-  void walk();
+  void take_a_turn();
+  void walk(std::uint64_t end);  // own moves at which the turn ends
+  void attempt(std::uint64_t end);
   void compress();
   void shorten_boldly();
   void shorten(double part, double split);
@@ -91,7 +94,8 @@ class Exploration {
   double worth_;         // a search whose best is not shorter than this has gained too little; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
-  bool stalled_{};  // an attempt with the least step has failed
+  bool stalled_{};      // an attempt with the least step has failed
+  bool walking_{true};  // what the next turn does once it has stalled
   bool converged_{};
   layout::Layout layout_;  // the one that is worked on
   int programs_{};

@@ -15,12 +15,16 @@ namespace selvage::nesting {
 struct NestTuning {
   double first_step{0.02};        // the first attempts shorten the layout by this part,
   double step_factor{0.4};        // after each failure by the last part times this,
-  double least_step{0.001};       // down to this part; when that fails, too, the search walks
+  double least_step{0.001};       // down to this part; when that fails, too, the search walks and attempts by turns
   std::size_t bold_patience{60};  // iterations without progress that end an attempt while steps are larger than that
   // A walk visits markers that are longer than the best one by no more than this part, and gives a step up after so
   // many moves: most of the steps that succeed take fewer than 100, and those that fail would take about a thousand.
   double walk_slack{0.0015};
   std::uint64_t walk_moves{200};
+  // A turn of walking or of attempts takes so many moves.  The layouts of failed attempts that overlap least are kept.
+  std::uint64_t turn_moves{200'000};
+  std::size_t pool{50};
+  double pool_skew{3};
   double explored{0.8};        // part of the budget; the rest is for compression:
   double first_squeeze{5e-4};  // attempts that shorten the best layout by this part,
   double last_squeeze{1e-5};   // at the end by this one,

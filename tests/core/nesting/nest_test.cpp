@@ -160,6 +160,19 @@ TEST(Nest, AWalkAloneShortensAMarker) {
   EXPECT_LT(nesting.history.back().length, nesting.history.front().length);
 }
 
+TEST(Nest, AttemptsShortenAMarkerWhereWalksDoNot) {
+  const std::vector<Polygon> outlines{rectangle(200'000, 130'000), {{0, 0}, {310'000, 0}, {0, 170'000}}};
+  const Marker marker = unplaced_pieces(outlines, 20, kWidth);
+  NestSettings settings = walking(settings_of(3'000));
+  settings.tuning.walk_slack = -0.5;  // there is no marker of half the length
+  settings.tuning.first_step = settings.tuning.least_step;
+  settings.tuning.explored = 1;
+  const Nesting walked = nested(marker, settings);  // its first turn does not end
+  settings.tuning.turn_moves = 100;
+  const Nesting attempted = nested(marker, settings);
+  EXPECT_LT(attempted.length_after, walked.length_after);
+}
+
 TEST(Nest, WithoutABudgetPlacesAllPieces) {
   const Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(100'000, 400'000)}, 20, kWidth);
   const Nesting nesting = nested(marker, settings_of(0));
