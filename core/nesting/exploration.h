@@ -8,9 +8,8 @@
 //
 // Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
 // it counts; the strip is then shortened from the compacted length.  A walk is an iterated local search that accepts
-// what is hardly longer than the best ("record-to-record travel") [LMS03, Due93].  Where pieces are few and large,
-// it soon finds nothing shorter, while attempts still do [GVW25].  A search may be interrupted and continued later
-// (race.h).
+// what is hardly longer than the best ("record-to-record travel") [LMS03, Due93].  On some instances it soon finds
+// nothing shorter, while attempts still do [GVW25].  A search may be interrupted and continued later (race.h).
 #pragma once
 
 #include <cstdint>
