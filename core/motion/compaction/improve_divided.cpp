@@ -18,8 +18,8 @@ sections::ShortenSection section_rounds(CompactionSettings settings) {
   };
 }
 
-// Whether the first round of a marker of many sections will be hard: when the section in the middle, and another one,
-// solve the program of theirs again.
+// Whether the first round of a marker of many sections is going to be hard: the section in the middle, and another one,
+// solve their programs more than once in a round of their own.
 bool begins_hard(const scene::Scene& scene, const CompactionSettings& settings, const scene::Run& run) {
   if (settings.rounds == 0 || scene.pieces.size() < settings.tuning.sections.sampled) return false;
   CompactionSettings once = settings;

@@ -1,12 +1,12 @@
 // Rounds of the whole marker and, where it has many pieces, of its sections (core/motion/sections).
 //
-//     rounds of the whole marker, up to the first that is hard (none, if it will be hard, going by some sections)
+//     rounds of the whole marker, up to the first that is hard (none, where some sections foretell that it would be)
 //     then: passes over sections, until they gain little
 //           rounds of the whole marker
 //
 // A round is hard when its program has to be solved several times, because its solutions break rows that were left out.
-// In a long marker that happens somewhere in nearly every round; a hard first round of a very long one moves nothing.
-// A section solves its program again only when something breaks in that section.
+// In a long marker that happens somewhere in nearly every round; a hard first round of a very long one may move
+// nothing.  A section solves its program again only when something breaks in that section.
 #pragma once
 
 #include "core/motion/compaction/compact.h"

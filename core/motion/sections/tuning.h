@@ -8,7 +8,7 @@ namespace selvage::motion::sections {
 struct SectionTuning {
   std::size_t many{2000};     // markers of at least this many pieces are divided
   std::size_t pieces{1000};   // of a section, about
-  std::size_t sampled{5000};  // markers of at least this many pieces are divided at once when sections are hard
+  std::size_t sampled{5000};  // of at least this many, some sections are asked first (compaction/improve_divided.h)
   double layer{0.1};          // the thickness of a layer; part of the strip's width
   double settled{1e-4};       // part of the width: a section that gains less counts as settled
   double worth_a_pass{2e-6};  // part of the marker's length: a pass that gains less is the last

@@ -12,6 +12,7 @@
 #include "core/marker/validity.h"
 #include "core/motion/compaction/compact.h"
 #include "protocol/execution/thread_pool.h"
+#include "tests/core/nesting/nested.h"
 #include "tests/core/nesting/unplaced_pieces.h"
 #include "tests/laws/random_marker.h"
 #include "tests/support/garment.h"
@@ -19,18 +20,13 @@
 namespace selvage::nesting {
 namespace {
 
+using test::ids_of;
 using test::kWidth;
+using test::nested;
 using test::Random;
 using test::rectangle;
+using test::settings_of;
 using test::unplaced_pieces;
-
-NestSettings settings_of(std::uint64_t moves) {
-  NestSettings settings;
-  settings.moves = moves;
-  settings.tuning.first_epoch = 40;
-  settings.tuning.raced_moves = 50;
-  return settings;
-}
 
 // Attempts are given up at once, so that the search walks (exploration.h).
 NestSettings walking(NestSettings settings) {
@@ -42,21 +38,6 @@ NestSettings walking(NestSettings settings) {
 // Every other trial walks.
 NestSettings settings_of_trial(int trial, std::uint64_t moves) {
   return trial % 2 == 1 ? walking(settings_of(moves)) : settings_of(moves);
-}
-
-Nesting nested(const Marker& marker, const NestSettings& settings, const Executor& executor = serial()) {
-  SumCache sums;
-  auto done = nest(marker, settings, {sums, {}, {}, &executor});
-  if (!done) throw std::runtime_error{done.error().message};
-  return *std::move(done);
-}
-
-std::multiset<std::string> ids_of(const Marker& marker) {
-  std::multiset<std::string> ids;
-  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
-    for (const Piece& piece : *pieces) ids.insert(piece.id);
-  }
-  return ids;
 }
 
 // A random marker, some of its pieces unplaced.
@@ -213,71 +194,6 @@ TEST(Nest, OfAsManyPiecesAsAMarkerMayHaveIsValid) {
   EXPECT_EQ(nesting.marker.pieces.size(), 20'000u);
 }
 
-// Triangles that interlock when rotated by 180 degrees, more than are searched at once.
-Marker many_triangles(std::size_t pieces) {
-  return unplaced_pieces({{{0, 0}, {80'000, 0}, {0, 60'000}}, rectangle(30'000, 20'000)}, pieces, kWidth);
-}
-NestSettings in_batches(std::uint64_t moves) {
-  NestSettings settings = settings_of(moves);
-  settings.tuning.most_pieces = 60;
-  settings.tuning.batches = {.pieces = 40, .beside = 20};
-  return settings;
-}
-
-TEST(Nest, InBatchesIsValidAndShorterThanOnShelves) {
-  Marker marker = many_triangles(120);
-  marker.pieces.push_back(marker.unplaced.back());
-  marker.unplaced.pop_back();
-  marker.pieces.back().at = {0, 500'000};
-  marker.pieces.back().locked = true;
-  const Nesting shelves = nested(marker, in_batches(0));
-  const Nesting nesting = nested(marker, in_batches(2'000));
-  EXPECT_TRUE(is_valid(nesting.marker));
-  EXPECT_EQ(ids_of(nesting.marker), ids_of(marker));
-  EXPECT_EQ(nesting.marker.pieces.front(), marker.pieces.front());
-  EXPECT_LT(nesting.length_after, shelves.length_after);
-  EXPECT_GT(marker::utilisation_at(nesting.marker, nesting.length_after), 0.7);
-}
-
-TEST(Nest, InBatchesIsTheSameOnAnyNumberOfThreads) {
-  const Marker marker = many_triangles(100);
-  const Nesting expected = nested(marker, in_batches(600));
-  const Nesting found = nested(marker, in_batches(600), protocol::execution::ThreadPool{2});
-  EXPECT_EQ(found.marker, expected.marker);
-  EXPECT_EQ(found.moves, expected.moves);
-}
-
-TEST(Nest, SolvesNoProgramThatIsLargerThanABatch) {
-  const Marker marker = many_triangles(150);
-  int columns = 0;
-  scene::Observer observer;
-  observer.on_program = [&](const lp::LinearProgram& program) { columns = std::max(columns, program.columns()); };
-  SumCache sums;
-  const auto nesting = nest(marker, in_batches(900), {sums, {}, observer});
-  ASSERT_TRUE(nesting);
-  EXPECT_GT(columns, 0);
-  EXPECT_LE(columns, 4 * (40 + 20) + 8);
-}
-
-// When the time is up, the running program is the last one, and few moves follow.
-TEST(Nest, EndsWithTheProgramThatRunsAtTheTimeLimit) {
-  for (const std::size_t pieces : {30U, 200U}) {
-    for (const int last : {1, 3, 10}) {
-      int programs = 0;
-      scene::Observer observer;
-      observer.on_program = [&](const lp::LinearProgram&) { ++programs; };
-      NestSettings settings = in_batches(100'000);
-      settings.elapsed = [&] { return programs >= last ? 1.0 : 0.1; };
-      SumCache sums;
-      const auto nesting = nest(many_triangles(pieces), settings, {sums, {}, observer});
-      ASSERT_TRUE(nesting);
-      EXPECT_EQ(programs, last) << pieces << " pieces";
-      EXPECT_TRUE(is_valid(nesting->marker));
-      EXPECT_EQ(nesting->marker.pieces.size(), pieces);
-    }
-  }
-}
-
 TEST(Nest, OfOneGiantAmongTinyPiecesIsValid) {
   Marker marker = unplaced_pieces({rectangle(10'000, 8'000)}, 300, kWidth);
   marker.shapes.push_back(marker.shapes[0]);
@@ -431,15 +347,6 @@ TEST(Nest, OfAPileOfPiecesMakesAMarker) {
   const Nesting nesting = nested(marker, settings_of(300));
   EXPECT_TRUE(is_valid(nesting.marker));
   EXPECT_EQ(ids_of(nesting.marker), ids_of(marker));
-}
-
-TEST(Nest, InBatchesOfFewerPiecesThanUsualIsValid) {
-  const Marker marker = unplaced_pieces({rectangle(30'000, 20'000)}, 300, kWidth);
-  NestSettings settings = settings_of(1'000);
-  settings.tuning.most_pieces = 200;
-  const Nesting nesting = nested(marker, settings);
-  EXPECT_TRUE(is_valid(nesting.marker));
-  EXPECT_EQ(nesting.marker.pieces.size(), 300u);
 }
 
 // A rectangle whose drafted outline is rotated.
