@@ -37,8 +37,6 @@ std::vector<Ablation> ablations() {
       {"a move descends from one place of the field instead of three",
        [](NestSettings& s) { s.tuning.search.best_places = 1; }},
       {"attempts are short from the beginning", [](NestSettings& s) { s.tuning.first_step = s.tuning.least_step; }},
-      {"walks only, no attempts between them",
-       [](NestSettings& s) { s.tuning.turn_moves = std::numeric_limits<std::uint64_t>::max() / 2; }},
       {"one start", [](NestSettings& s) { s.tuning.raced = 0; }},
       {"no compression in the end", [](NestSettings& s) { s.tuning.explored = 1; }},
       {"no small rotations in the end", [](NestSettings& s) { s.turn = false; }},

@@ -32,10 +32,11 @@ double least_length(const layout::PieceSet& set, const Marker& marker) {
 }  // namespace
 
 Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search,
-                         const NestTuning& tuning, Budget budget, std::optional<ClothEnd> end, const scene::Run& run,
-                         OnBetter on_better)
+                         const NestTuning& tuning, OnStall on_stall, Budget budget, std::optional<ClothEnd> end,
+                         const scene::Run& run, OnBetter on_better)
     : set_{&set},
       tuning_{tuning},
+      on_stall_{on_stall},
       budget_{std::move(budget)},
       end_{end},
       run_{&run},
@@ -45,7 +46,8 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search:
       length_{length_of(best_)},
       worth_{(1 - tuning.least_gain) * static_cast<double>(length_)},
       least_length_{least_length(set, best_)},
-      step_{tuning.first_step} {}
+      step_{tuning.first_step},
+      walking_{on_stall != OnStall::kAttempt} {}
 
 template <class Work>
 void Exploration::limited(std::uint64_t moves, const Work& work) {
@@ -95,7 +97,8 @@ void Exploration::explore() {
   }
 }
 
-// Walks or attempts, and then does the same again if it has shortened the marker, else the other.
+// Walks or attempts.  A search that takes turns then does the same again if it has shortened the marker, else the
+// other.
 void Exploration::take_a_turn() {
   const Coord before = length_;
   const std::uint64_t end = own_moves() + tuning_.turn_moves;
@@ -104,7 +107,7 @@ void Exploration::take_a_turn() {
   } else {
     attempt(end);
   }
-  if (length_ == before) walking_ = !walking_;
+  if (on_stall_ == OnStall::kTakeTurns && length_ == before) walking_ = !walking_;
 }
 
 // From one valid marker to another that is hardly longer than the best.

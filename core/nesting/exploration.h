@@ -2,14 +2,16 @@
 //
 //     put the pieces down one after another; separate and compact them
 //     until that fails: shorten the strip, separate, compact
-//     then, by turns: walk: perturb a marker that is hardly longer than the best one, separate, compact
+//     then, by turns or only one of the two:
+//                     walk: perturb a marker that is hardly longer than the best one, separate, compact
 //                     attempt: shorten the best one, perturb a layout that could not be separated, separate, compact
 //     compress: shorten the best layout by a little at a random place, separate, compact
 //
 // Every layout that the guided local search has separated is compacted by linear programs and proved in integers before
 // it counts; the strip is then shortened from the compacted length.  A walk is an iterated local search that accepts
 // what is hardly longer than the best ("record-to-record travel") [LMS03, Due93].  On some instances it soon finds
-// nothing shorter, while attempts still do [GVW25].  A search may be interrupted and continued later (race.h).
+// nothing shorter, while attempts still do [GVW25]; on others it finds more in the same time.  A search may be
+// interrupted and continued later (race.h).
 #pragma once
 
 #include <cstdint>
@@ -39,6 +41,9 @@ struct ClothEnd {
   double patience{};  // part of the budget
 };
 
+// What a search does when it can no longer shorten its marker by the least step.
+enum class OnStall { kTakeTurns, kWalk, kAttempt };
+
 class Exploration {
  public:
   using OnBetter = std::function<void(const Improvement&, const Marker&)>;
@@ -47,7 +52,7 @@ class Exploration {
   // with other explorations, one after another; `end`: nothing when the cloth does not end.
   // REQUIRES: the set, the search and the run outlive it.
   Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search, const NestTuning& tuning,
-              Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
+              OnStall on_stall, Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
 
   // Builds the first layout, in which the `kept` pieces lie where `start` has them.
   void begin(layout::Layout start, const std::vector<bool>& kept);
@@ -81,6 +86,7 @@ class Exploration {
 
   const layout::PieceSet* set_;
   NestTuning tuning_;
+  OnStall on_stall_;
   Budget budget_;
   std::optional<ClothEnd> end_;
   const scene::Run* run_;
@@ -94,8 +100,8 @@ class Exploration {
   double worth_;         // a search whose best is not shorter than this has gained too little; lattice units
   double least_length_;  // no marker is shorter; model units
   double step_;
-  bool stalled_{};      // an attempt with the least step has failed
-  bool walking_{true};  // what the next turn does once it has stalled
+  bool stalled_{};  // an attempt with the least step has failed
+  bool walking_;    // what the next turn does once it has stalled
   bool converged_{};
   layout::Layout layout_;  // the one that is worked on
   int programs_{};

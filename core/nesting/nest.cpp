@@ -177,14 +177,15 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
   Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
   local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search};
-  const auto begin = [&] {
-    auto exploration = std::make_unique<Exploration>(task.set, task.first, guided, tuning, budget, end, run, on_better);
+  const auto begin = [&](OnStall on_stall) {
+    auto exploration =
+        std::make_unique<Exploration>(task.set, task.first, guided, tuning, on_stall, budget, end, run, on_better);
     exploration->begin(to_layout(task.set, from), kept);
     return exploration;
   };
   std::unique_ptr<Exploration> best;
   if (end || has_layout(task)) {
-    best = begin();
+    best = begin(OnStall::kTakeTurns);
     best->advance(std::numeric_limits<std::uint64_t>::max());
   } else {
     const Race::Terms terms{tuning.least_raced_moves, tuning.raced_moves, tuning.raced, tuning.raced_gain};

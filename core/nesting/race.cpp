@@ -80,11 +80,17 @@ bool Race::may_continue(const Runner& best, std::uint64_t moves) const {
 }
 
 Race::Runner Race::start(const local_search::GuidedSearch& search) {
-  const bool first = search.moves() == 0;
-  Runner runner{begin_(), 1};
+  const bool first = starts_ == 0;
+  Runner runner{begin_(next_on_stall()), 1};
+  ++starts_;
   if (first && budget_.timed()) share_ = share_in_time(search.moves());
   runner.exploration->advance(share_);
   return runner;
+}
+
+OnStall Race::next_on_stall() const {
+  if (starts_ == 0) return OnStall::kTakeTurns;
+  return starts_ % 2 == 1 ? OnStall::kWalk : OnStall::kAttempt;
 }
 
 // Lets it make as many moves again as it has made.

@@ -15,8 +15,12 @@
 //     repeat: let the best exploration make as many moves again as it has made
 //       if that has hardly shortened its marker: race new starts for as many moves, of which a better one takes its
 //       place
+//
+// Whether a stalled search gains more by walks or by attempts (exploration.h) depends on the pieces.  So of two starts,
+// one walks and the other attempts; only the first, which may remain alone, takes turns.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -28,8 +32,8 @@ namespace selvage::nesting {
 
 class Race {
  public:
-  // Begins an exploration.
-  using Begin = std::function<std::unique_ptr<Exploration>()>;
+  // Begins an exploration, which does this when it has stalled.
+  using Begin = std::function<std::unique_ptr<Exploration>(OnStall)>;
 
   struct Terms {
     std::uint64_t least{}, most{};  // moves of a start before it is compared: `most`; with a time limit maybe fewer
@@ -53,6 +57,7 @@ class Race {
 
   [[nodiscard]] Runner best_of_starts(const local_search::GuidedSearch& search, const std::function<bool()>& another);
   [[nodiscard]] Runner start(const local_search::GuidedSearch& search);
+  [[nodiscard]] OnStall next_on_stall() const;
   void double_moves(Runner& runner) const;
   [[nodiscard]] std::uint64_t moves_of(const Runner& runner) const {
     return share_ * static_cast<std::uint64_t>(runner.shares);
@@ -65,6 +70,7 @@ class Race {
   Terms terms_;
   std::uint64_t share_;
   const Budget& budget_;
+  std::size_t starts_{};  // so far
   int programs_{};
 };
 

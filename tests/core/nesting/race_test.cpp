@@ -29,11 +29,12 @@ class Races : public ::testing::Test {
   // The best exploration of a race with this budget.
   std::unique_ptr<Exploration> race(const Budget& budget, double raced, const NestTuning& tuning = {}) {
     const scene::Run run{sums_};
-    const auto begin = [&] {
+    const auto begin = [&](OnStall on_stall) {
+      on_stall_.push_back(on_stall);
       begun_at_.push_back(guided_.moves());
       if (begun_at_.size() == kTooMany) stop_.request_stop();
       auto exploration = std::make_unique<Exploration>(
-          set_, first_, guided_, tuning, budget, std::nullopt, run,
+          set_, first_, guided_, tuning, on_stall, budget, std::nullopt, run,
           [this](const Improvement& better, const Marker&) { shortest_ = std::min(shortest_, better.length); });
       exploration->begin(to_layout(set_, first_), set_.fixed);
       return exploration;
@@ -47,6 +48,7 @@ class Races : public ::testing::Test {
       *layout::piece_set_of(rectangles_and_triangles(), layout::PlacedPiecesMay::kMove, sums_);
   local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}};
   std::vector<std::uint64_t> begun_at_;  // the moves before each start
+  std::vector<OnStall> on_stall_;        // of each start
   Coord shortest_{kLatticeLimit};
   std::stop_source stop_;
 };
@@ -64,6 +66,14 @@ TEST_F(Races, GoOnWithTheBestOfAllStarts) {
   EXPECT_EQ(best->length(), shortest_);
   EXPECT_LT(best->length(), length_of(first_));
   EXPECT_GE(guided_.moves(), 40 * kShare);
+}
+
+TEST_F(Races, AfterTheFirstStartOneWalksAndTheNextAttempts) {
+  (void)race({40 * kShare, {}, {}, 0.8, 40}, 0.5);
+  ASSERT_GE(on_stall_.size(), 5U);
+  on_stall_.resize(5);
+  EXPECT_EQ(on_stall_,
+            (std::vector{OnStall::kTakeTurns, OnStall::kWalk, OnStall::kAttempt, OnStall::kWalk, OnStall::kAttempt}));
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
