@@ -308,11 +308,30 @@ Family walks_family() {
               own_tuning<NestTuning, NestSettings>, nested)};
 }
 
+// Turns are a tenth as long as usual, so that there are several of them.
+Family turns_family() {
+  using nesting::NestSettings;
+  using nesting::NestTuning;
+  NestSettings settings;
+  settings.moves = 25 * kMoves;
+  settings.from_scratch = true;
+  settings.tuning.raced_moves = settings.moves;  // one start
+  settings.tuning.turn_moves /= 10;
+  return {
+      "turns",
+      "the mean length of three nestings from nothing, of 150,000 moves and one start each, in turns of 20,000",
+      as_it_is,
+      constants_of<NestTuning, NestSettings>(
+          settings,
+          {{"turn_moves", &NestTuning::turn_moves}, {"pool", &NestTuning::pool}, {"pool_skew", &NestTuning::pool_skew}},
+          own_tuning<NestTuning, NestSettings>, nested)};
+}
+
 }  // namespace
 
 std::vector<Family> families() {
   return {compaction_family(), separation_family(), tilting_family(), floating_family(),
-          search_family(),     nesting_family(),    walks_family()};
+          search_family(),     nesting_family(),    walks_family(),   turns_family()};
 }
 
 }  // namespace selvage::bench::sensitivity

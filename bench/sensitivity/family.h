@@ -79,7 +79,7 @@ std::vector<Constant> constants_of(const Settings& settings, const std::vector<F
 }
 
 // The families that can be measured, by name: compaction, separation, tilting, floating, search, nesting,
-// walks.
+// walks, turns.
 [[nodiscard]] std::vector<Family> families();
 
 }  // namespace selvage::bench::sensitivity

@@ -2,8 +2,8 @@
 // on the answer and the processor time of its motion.  "Failed" is the number of additional markers without an
 // answer.
 //
-// usage: sensitivity_table FAMILY MARKER...        FAMILY: compaction, separation, tilting, floating, search, nesting
-// or walks
+// usage: sensitivity_table FAMILY MARKER...        FAMILY: compaction, separation, tilting, floating, search, nesting,
+// walks or turns
 //
 // Sums are in the cache, so that only the motion itself is timed.  A run of all markers with the usual constants comes
 // first and is repeated at the end: the difference of the two times is the machine's noise.
