@@ -294,14 +294,19 @@ Family nesting_family() {
   return family;
 }
 
+nesting::NestSettings of_one_start(std::uint64_t moves) {
+  nesting::NestSettings settings;
+  settings.moves = moves;
+  settings.from_scratch = true;
+  settings.tuning.raced_moves = moves;
+  return settings;
+}
+
 // Walks begin only after some ten thousand moves.
 Family walks_family() {
   using nesting::NestSettings;
   using nesting::NestTuning;
-  NestSettings settings;
-  settings.moves = 10 * kMoves;
-  settings.from_scratch = true;
-  settings.tuning.raced_moves = settings.moves;  // one start
+  const NestSettings settings = of_one_start(10 * kMoves);
   return {"walks", "the mean length of three nestings from nothing, of 60,000 moves and one start each", as_it_is,
           constants_of<NestTuning, NestSettings>(
               settings, {{"walk_slack", &NestTuning::walk_slack}, {"walk_moves", &NestTuning::walk_moves}},
@@ -312,10 +317,7 @@ Family walks_family() {
 Family turns_family() {
   using nesting::NestSettings;
   using nesting::NestTuning;
-  NestSettings settings;
-  settings.moves = 25 * kMoves;
-  settings.from_scratch = true;
-  settings.tuning.raced_moves = settings.moves;  // one start
+  NestSettings settings = of_one_start(25 * kMoves);
   settings.tuning.turn_moves /= 10;
   return {
       "turns",

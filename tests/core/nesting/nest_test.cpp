@@ -147,7 +147,7 @@ TEST(Nest, AttemptsShortenAMarkerWhereWalksDoNot) {
   const Marker marker = unplaced_pieces(outlines, 20, kWidth);
   NestSettings settings = walking(settings_of(3'000));
   settings.tuning.raced_moves = settings.moves;  // of one start
-  settings.tuning.walk_slack = -0.5;  // there is no marker of half the length
+  settings.tuning.walk_slack = -0.5;             // there is no marker of half the length
   settings.tuning.first_step = settings.tuning.least_step;
   settings.tuning.explored = 1;
   const Nesting walked = nested(marker, settings);  // its first turn does not end
