@@ -298,7 +298,7 @@ nesting::NestSettings of_one_start(std::uint64_t moves) {
   nesting::NestSettings settings;
   settings.moves = moves;
   settings.from_scratch = true;
-  settings.tuning.raced_moves = moves;
+  settings.tuning.raced_moves = moves;  // so the budget ends before another start
   return settings;
 }
 

@@ -15,7 +15,7 @@ namespace selvage::nesting {
 struct NestTuning {
   double first_step{0.02};        // the first attempts shorten the layout by this part,
   double step_factor{0.4};        // after each failure by the last part times this,
-  double least_step{0.001};       // down to this part; when that fails, too, the search walks and attempts by turns
+  double least_step{0.001};       // down to this part; when that fails, too, the search has stalled (exploration.h)
   std::size_t bold_patience{60};  // iterations without progress that end an attempt while steps are larger than that
   // A walk visits markers that are longer than the best one by no more than this part, and gives a step up after so
   // many moves: most of the steps that succeed take fewer than 100, and those that fail would take about a thousand.

@@ -1,9 +1,8 @@
 // A thread pool: the threads that call for_each(), and pool threads that all callers share.
 //
 // A caller executes parts itself and waits only for parts that a pool thread has already started.  So it always makes
-// progress, whatever other callers and the pool threads do.  Both poll for a moment before they sleep.  A
-// pool thread takes a part only if a core is free for it, which is checked before every part.  Parts may call
-// for_each() again.
+// progress, whatever other callers and the pool threads do.  Both poll for a moment before they sleep.  A pool thread
+// takes a part only if a core is free for it, which is checked before every part.  Parts may call for_each() again.
 #pragma once
 
 #include <atomic>

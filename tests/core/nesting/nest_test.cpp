@@ -134,7 +134,7 @@ TEST(Nest, InterlocksTrianglesByHalfTurns) {
 TEST(Nest, AWalkAloneShortensAMarker) {
   const std::vector<Polygon> outlines{rectangle(200'000, 130'000), {{0, 0}, {310'000, 0}, {0, 170'000}}};
   NestSettings settings = walking(settings_of(3'000));
-  settings.tuning.raced_moves = settings.moves;  // of one start
+  settings.tuning.raced_moves = settings.moves;  // there is one start
   settings.tuning.least_step = settings.tuning.first_step;
   settings.tuning.explored = 1;
   const Nesting nesting = nested(unplaced_pieces(outlines, 20, kWidth), settings);
@@ -146,7 +146,7 @@ TEST(Nest, AttemptsShortenAMarkerWhereWalksDoNot) {
   const std::vector<Polygon> outlines{rectangle(200'000, 130'000), {{0, 0}, {310'000, 0}, {0, 170'000}}};
   const Marker marker = unplaced_pieces(outlines, 20, kWidth);
   NestSettings settings = walking(settings_of(3'000));
-  settings.tuning.raced_moves = settings.moves;  // of one start
+  settings.tuning.raced_moves = settings.moves;  // there is one start
   settings.tuning.walk_slack = -0.5;             // there is no marker of half the length
   settings.tuning.first_step = settings.tuning.least_step;
   settings.tuning.explored = 1;

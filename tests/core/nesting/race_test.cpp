@@ -1,4 +1,4 @@
-// Tests of core/nesting/race.h: which starts go on, and when new ones begin.
+// Tests of core/nesting/race.h: which starts go on, when new ones begin, and what each does once it has stalled.
 #include "core/nesting/race.h"
 
 #include <gtest/gtest.h>
@@ -28,21 +28,25 @@ class Races : public ::testing::Test {
  protected:
   // The best exploration of a race with this budget.
   std::unique_ptr<Exploration> race(const Budget& budget, double raced, const NestTuning& tuning = {}) {
-    const scene::Run run{sums_};
     const auto begin = [&](OnStall on_stall) {
       on_stall_.push_back(on_stall);
       begun_at_.push_back(guided_.moves());
       if (begun_at_.size() == kTooMany) stop_.request_stop();
-      auto exploration = std::make_unique<Exploration>(
-          set_, first_, guided_, tuning, on_stall, budget, std::nullopt, run,
-          [this](const Improvement& better, const Marker&) { shortest_ = std::min(shortest_, better.length); });
-      exploration->begin(to_layout(set_, first_), set_.fixed);
-      return exploration;
+      return begun(on_stall, budget, tuning);
     };
     return Race{begin, {kShare / 2, kShare, raced, 0}, budget}.run(guided_);
   }
 
+  std::unique_ptr<Exploration> begun(OnStall on_stall, const Budget& budget, const NestTuning& tuning) {
+    auto exploration = std::make_unique<Exploration>(
+        set_, first_, guided_, tuning, on_stall, budget, std::nullopt, run_,
+        [this](const Improvement& better, const Marker&) { shortest_ = std::min(shortest_, better.length); });
+    exploration->begin(to_layout(set_, first_), set_.fixed);
+    return exploration;
+  }
+
   SumCache sums_;
+  const scene::Run run_{sums_};
   const Marker first_ = nest(rectangles_and_triangles(), {}, {sums_})->marker;
   const layout::PieceSet set_ =
       *layout::piece_set_of(rectangles_and_triangles(), layout::PlacedPiecesMay::kMove, sums_);
@@ -74,6 +78,25 @@ TEST_F(Races, AfterTheFirstStartOneWalksAndTheNextAttempts) {
   on_stall_.resize(5);
   EXPECT_EQ(on_stall_,
             (std::vector{OnStall::kTakeTurns, OnStall::kWalk, OnStall::kAttempt, OnStall::kWalk, OnStall::kAttempt}));
+}
+
+// Attempts are given up at once, and there is no marker of half the length to walk to.
+TEST_F(Races, AStartThatAttemptsGoesOnWhereOneThatWalksGainsNothing) {
+  NestTuning tuning;
+  tuning.first_step = tuning.least_step;
+  tuning.search.patience = tuning.search.strikes = 1;
+  tuning.walk_slack = -0.5;
+  tuning.explored = 1;
+  const Budget budget{1'000'000, {}, {}, tuning.explored, 40};
+  constexpr std::uint64_t kMoves = 3'000;
+  const auto walks = begun(OnStall::kWalk, budget, tuning);
+  walks->advance(kMoves);
+  const Coord stalled = walks->length();
+  walks->advance(kMoves);
+  EXPECT_EQ(walks->length(), stalled);
+  const auto attempts = begun(OnStall::kAttempt, budget, tuning);
+  attempts->advance(2 * kMoves);
+  EXPECT_LT(attempts->length(), stalled);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
