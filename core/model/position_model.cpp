@@ -80,6 +80,11 @@ Terms PositionModel::terms(std::size_t q, std::optional<std::size_t> p, double n
   return terms;
 }
 
+double PositionModel::reach() const {
+  constexpr double kSeveral = 10;
+  return kSeveral * (unit_.to_columns(static_cast<double>(length_)) + ModelUnit::kAcross);
+}
+
 std::optional<int> PositionModel::add(const PairRow& row, std::optional<int> give) {
   const auto [p, q] = row.pair;
   if (x_[p] == x_[q] && y_[p] == y_[q]) return std::nullopt;

@@ -47,6 +47,8 @@ class PositionModel {
 
   [[nodiscard]] ModelUnit unit() const { return unit_; }
 
+  // Displacements that are farther than this from 0 are of no use, in columns: several markers' lengths and widths.
+  [[nodiscard]] double reach() const;
   // Returns the program's row, or nothing when the two never move against each other and no row is needed.  With a
   // column `give`, the row may be broken by that column's value.
   std::optional<int> add(const PairRow& row, std::optional<int> give = {});

@@ -73,6 +73,10 @@ void Domain::measure_all() {
   measure_ = {dot(s_, z_), dot(cost_, x_), largest_in(rp_), largest_in(rd_.head(own_))};
 }
 
+Domain::Proof Domain::proof() const {
+  return {dot(bound_, z_), z_.sum(), cost_.abs().sum() + rd_.head(own_).abs().sum()};
+}
+
 bool Domain::predict(double rho, const std::stop_token& stop) {
   weight_ = z_ / (s_ + kDelta * z_);
   if (!normal_.factorise(span_of(weight_), rho, stop)) return false;

@@ -43,6 +43,13 @@ class Domain {
   [[nodiscard]] const Measure& measure() const { return measure_; }
   // The residuals of the dual constraints of the border's columns, the domain's part.
   [[nodiscard]] std::span<const double> dual_residuals() const { return on_border(rd_); }
+  // What the prices z prove about points that keep all rows [Farkas]: z.b <= x.(A^T z) for each of them.
+  struct Proof {
+    double bound{};   // z.b
+    double prices{};  // the sum of z
+    double pull{};    // at least the sum of |A^T z|, without the border's columns
+  };
+  [[nodiscard]] Proof proof() const;
   // Measures the residuals of the rows anew: advance() only updates them, so they gather rounding errors.
   [[nodiscard]] double measure_primal();
 

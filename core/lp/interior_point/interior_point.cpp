@@ -29,8 +29,10 @@ constexpr double kMeasured = 16;  // and products of rows and columns are no mor
 constexpr double kCentring = 3;   // exponent applied to the predicted ratio of the gaps, for the corrector's target
 constexpr double kAcceptedViolation =
     5e-10;  // row violation allowed when the gap need not close completely; solve() accepts twice as much
-constexpr double kDualPart = 1e-2;   // dual tolerance as a fraction of the tolerance of the gap
-constexpr double kLeastCost = 1e-3;  // so that a program without costs has a central path as well
+constexpr double kClearlyBroken = 1e-6;  // a row violation that rounding cannot have made
+constexpr double kMended = 0.99;         // the part of the largest violation that is left when rows are being mended
+constexpr double kDualPart = 1e-2;       // dual tolerance as a fraction of the tolerance of the gap
+constexpr double kLeastCost = 1e-3;      // so that a program without costs has a central path as well
 
 double roundings(double count, double of) {
   return count * std::numeric_limits<double>::epsilon() * of;
@@ -66,6 +68,10 @@ class Iteration {
   // False when a row without columns requires too much: the program is infeasible.
   [[nodiscard]] bool start();
   [[nodiscard]] bool converged();
+  // After converged(): the prices prove that no point within reach comes near to keeping all rows.
+  [[nodiscard]] bool is_infeasible() const;
+  // After converged(): rows stay broken although nothing else is left to do.
+  [[nodiscard]] bool has_stalled() const { return stalls_ >= settings_.stalls; }
   [[nodiscard]] bool step();  // false when no further step is possible, or when cancelled
   // The solution, which starts as the fixed columns.
   void extract(LpSolution& solution) const;
@@ -102,6 +108,8 @@ class Iteration {
   double gap_{};                  // s . z
   double least_dual_{kInfinity};  // the smallest dual residual so far
   double primal_{};               // the largest row violation allowed
+  double broken_{};               // the largest row violation now
+  int stalls_{};                  // iterations in a row in which the gap was closed and no row was mended
   double rho_factor_{1};          // the factor applied to rho
 };
 
@@ -171,10 +179,23 @@ bool Iteration::converged() {
   least_dual_ = std::min(least_dual_, dual);
   const bool closed = gap_ <= settings_.gap * (1 + std::abs(cost));
   if (closed && stalled) rho_factor_ = std::max(kLeastRhoFactor, kRhoDecay * rho_factor_);
+  stalls_ = closed && primal > primal_ && primal > kMended * broken_ ? stalls_ + 1 : 0;
+  broken_ = primal;
   if (!closed || primal > primal_) return false;
   if (dual > settings_.dual && !(stalled && dual <= settings_.dual_when_stalled)) return false;
   const auto measured = of_each_domain([&](std::size_t d) { return domains_[d]->measure_primal(); });
   return std::ranges::max(measured) <= std::max(primal_, roundings(kMeasured, largest_bound_));
+}
+
+bool Iteration::is_infeasible() const {
+  if (broken_ <= primal_ || !std::isfinite(settings_.reach)) return false;
+  Domain::Proof sum;
+  for (const double residual : on_border_) sum.pull += std::abs(residual);
+  for (const auto& domain : domains_) {
+    const Domain::Proof proof = domain->proof();
+    sum = {sum.bound + proof.bound, sum.prices + proof.prices, sum.pull + proof.pull};
+  }
+  return sum.bound - settings_.reach * sum.pull > kClearlyBroken * sum.prices;
 }
 
 bool Iteration::factorise() {
@@ -268,7 +289,8 @@ LpSolution solve_by_interior_point(const LinearProgram& program, const InteriorP
   LpSolution solution;
   while (!iteration.converged()) {
     if (stop.stop_requested()) return {.status = LpStatus::kStopped, .iterations = solution.iterations};
-    if (solution.iterations == settings.iterations || !iteration.step()) {
+    if (iteration.is_infeasible()) return {.status = LpStatus::kInfeasible, .iterations = solution.iterations};
+    if (solution.iterations == settings.iterations || iteration.has_stalled() || !iteration.step()) {
       return {.status = stop.stop_requested() ? LpStatus::kStopped : LpStatus::kFailed,
               .iterations = solution.iterations};
     }

@@ -6,6 +6,8 @@
 // models is the present layout and nearly feasible.
 // Large programs are divided into domains and a border (division.h); threads of the executor work on the domains, and
 // the border's normal equations are what remains of theirs.
+// In an infeasible program the prices grow without limit, and their products with the rows prove it after a dozen
+// iterations (Farkas' lemma).
 // Sources: [Meh92], [PG21].  The method departs from them in using the inequality form, so that the matrix has one row
 // per column of the program.
 #pragma once
@@ -23,6 +25,10 @@ struct InteriorPointSettings {
   double primal{1e-11};            // largest violation of a row, apart from the rounding of its bound
   double dual{1e-10};              // largest violation of a dual constraint, divided by 1 + the largest cost
   double dual_when_stalled{1e-8};  // the same, once rounding prevents further progress
+  // Solutions with larger columns are of no use.  A program counts as infeasible when its prices prove that every point
+  // within reach breaks some row by far more than rounding does.  Infinite: that is not tried.
+  double reach{kInfinity};
+  int stalls{10};  // the method fails after this many iterations in which the gap was closed and no row was mended
   // Pieces in a domain (division.h).  Smaller domains share the work among more threads, but leave more of it to the
   // border, which one thread works on.
   int domain_size{500};
@@ -37,9 +43,10 @@ struct InteriorPointSettings {
 // solve() requires.
 [[nodiscard]] InteriorPointSettings settings_for_tolerance(double tolerance);
 
-// The solution lies in the interior of the feasible region, near the centre of the optimal face.  kFailed when the
-// method does not converge: it does not try to prove infeasibility or unboundedness, which is left to the simplex
-// method.  Deterministic, whatever the executor; checks `stop` before every iteration and within factorisations.
+// The solution lies in the interior of the feasible region, near the centre of the optimal face.  kInfeasible as the
+// settings' reach says.  kFailed when the method does not converge: whether a program without a reach is infeasible or
+// unbounded is left to the simplex method.  Deterministic, whatever the executor; checks `stop` before every iteration
+// and within factorisations.
 // REQUIRES: lower <= upper, no NaN.
 [[nodiscard]] LpSolution solve_by_interior_point(const LinearProgram& program,
                                                  const InteriorPointSettings& settings = {}, std::stop_token stop = {},

@@ -79,9 +79,11 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   if (const LpStatus status = precheck(program); status != LpStatus::kOptimal) return {.status = status};
   if (program.columns() == 0) return solve_without_columns(program);
   const auto interior = [&]() -> std::optional<LpSolution> {
-    LpSolution solution =
-        solve_by_interior_point(program, interior_point::settings_for_tolerance(limits.tolerance), stop, executor);
-    if (solution.status == LpStatus::kStopped) return solution;
+    interior_point::InteriorPointSettings settings = interior_point::settings_for_tolerance(limits.tolerance);
+    settings.reach = limits.reach;
+    if (program.columns() > kMostColumnsOfSimplex) settings.stalls = settings.iterations;
+    LpSolution solution = solve_by_interior_point(program, settings, stop, executor);
+    if (solution.status == LpStatus::kStopped || solution.status == LpStatus::kInfeasible) return solution;
     const bool solved = solution.status == LpStatus::kOptimal;
     if (solved && infeasibility(program, solution.x) <= allowed_violation(program)) return solution;
     return std::nullopt;
@@ -89,6 +91,7 @@ LpSolution solve(const LinearProgram& program, SolverChoice choice, const LpLimi
   const bool interior_first = prefers_interior_point(program, choice);
   if (interior_first) {
     if (auto solution = interior()) return *solution;
+    if (!limits.falls_back) return {.status = LpStatus::kFailed};
     if (is_clearly_infeasible(program, stop, executor)) return {.status = LpStatus::kInfeasible};
     if (stop.stop_requested()) return {.status = LpStatus::kStopped};
     if (program.columns() > kMostColumnsOfSimplex) return {.status = LpStatus::kFailed};

@@ -20,6 +20,9 @@ struct LpLimits {
   int iterations{100'000};  // limit of simplex pivots; the interior point method has its own, far smaller limit
   double tolerance{};  // relative to 1 + |objective|: the interior point method's objective may exceed the optimum by
                        // this much; 0: as exact as rounding allows.  Vertex solutions are always optimal
+  bool falls_back{true};    // to simplex where the interior point method fails; else the program counts as failed
+  double reach{kInfinity};  // solutions with larger columns are of no use: a program without a nearer one may be called
+                            // infeasible
 };
 
 // Deterministic, whatever the executor, whose threads share the work on large programs.  Returns kStopped soon after

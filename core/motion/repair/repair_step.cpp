@@ -15,6 +15,10 @@ namespace {
 
 class RepairProgram {
  public:
+  // Whether simplex tries programs on which the interior point method fails: a failure is the end where nothing else
+  // is left to try.
+  enum class Effort { kLittle, kWhole };
+
   RepairProgram(const scene::Scene& scene, const std::vector<Conflict>& conflicts, double reach,
                 const RepairTuning& tuning, const scene::Run& run)
       : scene_{scene},
@@ -38,21 +42,25 @@ class RepairProgram {
   }
 
   // The displacements of least cost with which the marker grows by at most `growth`; solved for the active pieces, and
-  // again for more of them as long as rows press on others, or there is no room.
-  std::optional<std::vector<RealVec>> solve_within(double growth) {
+  // again for more of them as long as rows press on others, or there is no room.  Where all of them have no room
+  // either, pairs that lie closer than their rows' margins keep the room they have: a stack may fill the strip exactly.
+  std::optional<std::vector<RealVec>> solve_within(double growth, Effort effort) {
     for (;;) {
       run_.observer.on_stage(scene::Stage::kRows);
       build(growth);
       run_.observer.on_stage(scene::Stage::kSolve);
       run_.observer.on_program(model_->program());
-      const lp::LpSolution solution =
-          solve(model_->program(), lp::solver::SolverChoice::kAutomatic, {}, run_.stop, *run_.executor);
+      const lp::LpSolution solution = solved(effort);
       std::vector<std::uint32_t> wanted;
       if (solution.status == lp::LpStatus::kOptimal) {
         wanted = pressed_by(solution);
         if (wanted.empty()) return model_->displacements(solution.x);
       } else if (!run_.stopped()) {
         wanted = neighbours();
+        if (wanted.empty() && tight_ == model::TightRows::kRestore) {
+          tight_ = model::TightRows::kKeep;
+          continue;
+        }
       }
       if (wanted.empty()) return std::nullopt;
       active_.grow(std::move(wanted), near_);
@@ -60,6 +68,13 @@ class RepairProgram {
   }
 
  private:
+  [[nodiscard]] lp::LpSolution solved(Effort effort) const {
+    lp::solver::LpLimits limits;
+    limits.falls_back = effort == Effort::kWhole && tight_ == model::TightRows::kKeep;
+    limits.reach = model_->reach();
+    return solve(model_->program(), lp::solver::SolverChoice::kAutomatic, limits, run_.stop, *run_.executor);
+  }
+
   void build(double growth) {
     model_.emplace(scene_.pieces, scene_.marker.strip, active_.with_others_fixed());
     model_->add_length(tuning_.length_cost, 0, growth);
@@ -86,7 +101,7 @@ class RepairProgram {
       const Vec r = scene_.relative_position(pairs[k]);
       const Coord spacing = scene_.pieces.spacing(pairs[k]);
       append_pair_rows(pairs[k], {obstacles[k], r, in_conflict ? conflict->target.about : r, spacing},
-                       model::region_within(reach_, spacing), {model_->unit()}, rows);
+                       model::region_within(reach_, spacing), {model_->unit(), tight_}, rows);
     }
     return rows;
   }
@@ -117,6 +132,7 @@ class RepairProgram {
   const scene::Run& run_;
   std::vector<marker::PiecePair> near_;
   model::ActiveSet active_;
+  model::TightRows tight_{model::TightRows::kRestore};
   std::optional<model::PositionModel> model_;
   std::vector<std::pair<int, model::PairRow>> rows_;  // of the program, and what they say
 };
@@ -128,8 +144,10 @@ bool repair_step(scene::Scene& scene, const std::vector<Conflict>& conflicts, do
   run.observer.on_stage(scene::Stage::kRows);
   const double reach = tuning.reach * limit;
   RepairProgram program{scene, conflicts, reach, tuning, run};
-  for (const double growth : {model::ModelUnit{scene.marker.strip}.to_lattice(tuning.spare_length), reach}) {
-    if (const auto displacements = program.solve_within(growth)) {
+  using Effort = RepairProgram::Effort;
+  const double spare = model::ModelUnit{scene.marker.strip}.to_lattice(tuning.spare_length);
+  for (const auto& [growth, effort] : {std::pair{spare, Effort::kLittle}, std::pair{reach, Effort::kWhole}}) {
+    if (const auto displacements = program.solve_within(growth, effort)) {
       scene.pieces.move_by(model::snapped(*displacements));
       return true;
     }

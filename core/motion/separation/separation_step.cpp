@@ -59,6 +59,7 @@ class SeparationProgram {
   [[nodiscard]] lp::LpSolution solved(const scene::Run& run) const {
     lp::solver::LpLimits limits;
     limits.tolerance = settings_.tolerance;
+    limits.reach = model_.reach();
     return solve(model_.program(), settings_.solver, limits, run.stop, *run.executor);
   }
   // The pieces without columns that would move in the solution if they had columns.

@@ -76,7 +76,12 @@ lp::LpSolution RoundModel::solve() {
   run_.observer.on_stage(scene::Stage::kSolve);
   run_.observer.on_program(model_->program());
   lp::solver::LpLimits limits;
-  if (!goal_.fixes_length()) limits.tolerance = settings_.tolerance;
+  limits.reach = model_->reach();
+  if (!goal_.fixes_length()) {
+    limits.tolerance = settings_.tolerance;
+    // Most programs that fail are infeasible because of margins (make_feasible), and simplex takes long to find that.
+    limits.falls_back = tight_ == model::TightRows::kKeep;
+  }
   return lp::solver::solve(model_->program(), settings_.solver, limits, run_.stop, *run_.executor);
 }
 

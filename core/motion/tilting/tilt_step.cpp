@@ -93,7 +93,9 @@ class Program {
   }
 
   [[nodiscard]] TiltStep solved(lp::solver::SolverChoice solver, const scene::Run& run) const {
-    const lp::LpSolution solution = solve(model_.program(), solver, {}, run.stop, *run.executor);
+    lp::solver::LpLimits limits;
+    limits.reach = model_.positions().reach();
+    const lp::LpSolution solution = solve(model_.program(), solver, limits, run.stop, *run.executor);
     TiltStep step;
     step.status = solution.status;
     if (solution.status != lp::LpStatus::kOptimal) return step;

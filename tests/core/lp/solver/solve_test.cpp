@@ -24,5 +24,27 @@ TEST(Solve, TellsThatALargeProgramIsInfeasible) {
   }
 }
 
+TEST(Solve, ProvesByItsPricesThatNothingWithinReachIsFeasible) {
+  for (const int columns : {100, 3000}) {
+    LpLimits limits;
+    limits.reach = 10.0 * columns;
+    limits.falls_back = false;  // so the answer is the interior point method's own
+    const LpSolution solution = solve(chain(columns, columns - 2), SolverChoice::kInteriorPoint, limits);
+    EXPECT_EQ(solution.status, LpStatus::kInfeasible) << columns;
+    EXPECT_LT(solution.iterations, 60) << columns;
+    limits.reach = columns;  // the only solution reaches as far as that, nearly
+    EXPECT_EQ(solve(chain(columns, columns - 1), SolverChoice::kInteriorPoint, limits).status, LpStatus::kOptimal);
+  }
+}
+
+// Prices that prove so little would have to be larger than they can become.
+TEST(Solve, GivesUpSoonWhereRowsAreInfeasibleByNextToNothing) {
+  const LinearProgram program = chain(100, 99 - 1e-7);
+  LpLimits limits{.falls_back = false, .reach = 1000};
+  EXPECT_EQ(solve(program, SolverChoice::kInteriorPoint, limits).status, LpStatus::kFailed);
+  limits.falls_back = true;
+  EXPECT_EQ(solve(program, SolverChoice::kInteriorPoint, limits).status, LpStatus::kInfeasible);
+}
+
 }  // namespace
 }  // namespace selvage::lp::solver

@@ -148,6 +148,23 @@ TEST(Repair,
   }
 }
 
+// A point that lies in a notch, both as wide as the strip together: neither piece has room for a row's margin.
+TEST(Repair, LeavesAStackAloneThatFillsTheStripExactly) {
+  Layout layout{1'000'000};
+  const auto notch = layout.shape_of({{0, 0}, {400'000, 0}, {400'000, 600'000}, {200'000, 400'000}, {0, 600'000}});
+  const auto point =
+      layout.shape_of({{200'000, 0}, {400'000, 200'000}, {400'000, 600'000}, {0, 600'000}, {0, 200'000}});
+  const auto square = layout.shape_of(test::rectangle(200'000, 200'000));
+  layout.put(notch, {0, 0}).put(point, {0, 400'000}).put(square, {400'000 - 50, 300'000});
+  Marker out;
+  const auto repair = healed(layout.marker(), out);
+  ASSERT_TRUE(repair) << repair.error().message;
+  EXPECT_TRUE(is_valid(out));
+  EXPECT_EQ(out.pieces[0], layout.marker().pieces[0]);
+  EXPECT_EQ(out.pieces[1], layout.marker().pieces[1]);
+  EXPECT_EQ(out.pieces[2].at, (Vec{400'000, 300'000}));
+}
+
 TEST(Repair, PerturbedCompactedMarkersAreRepairedAtTheSameLength) {
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {
     SumCache sums;
