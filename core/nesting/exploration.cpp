@@ -36,7 +36,6 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search:
                          const scene::Run& run, OnBetter on_better)
     : set_{&set},
       tuning_{tuning},
-      on_stall_{on_stall},
       budget_{std::move(budget)},
       end_{end},
       run_{&run},
@@ -46,8 +45,9 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search:
       length_{length_of(best_)},
       worth_{(1 - tuning.least_gain) * static_cast<double>(length_)},
       least_length_{least_length(set, best_)},
-      step_{tuning.first_step},
-      walking_{on_stall != OnStall::kAttempt} {}
+      step_{tuning.first_step} {
+  when_stalled(on_stall);
+}
 
 template <class Work>
 void Exploration::limited(std::uint64_t moves, const Work& work) {
@@ -65,6 +65,11 @@ void Exploration::begin(layout::Layout start, const std::vector<bool>& kept) {
     if (over()) return;
     (void)separate({tuning_.search.patience, tuning_.search.strikes});
   });
+}
+
+void Exploration::when_stalled(OnStall on_stall) {
+  on_stall_ = on_stall;
+  walking_ = on_stall != OnStall::kAttempt;
 }
 
 void Exploration::advance(std::uint64_t moves) {
@@ -110,18 +115,21 @@ void Exploration::take_a_turn() {
   if (on_stall_ == OnStall::kTakeTurns && length_ == before) walking_ = !walking_;
 }
 
-// From one valid marker to another that is hardly longer than the best.
+// From one valid marker to another that is hardly longer than the best.  Where all pieces return to their places, the
+// step has led nowhere.
 void Exploration::walk(std::uint64_t end) {
+  const double same = tuning_.same_place * set_->across();
   Marker at = best_;
   while (!over() && !converged_ && exploring() && own_moves() < end) {
     const double longest = best_length() * (1 + tuning_.walk_slack);
     layout_ = to_layout(*set_, at);
     set_length(*set_, layout_, longest, search_->dice().unit() * best_length());
+    const layout::Layout unperturbed = layout_;
     search_->perturb(layout_);
     const std::uint64_t last = search_->moves() + tuning_.walk_moves;
     const auto given_up = [&] { return search_->moves() > last || over(); };
     const auto outcome = search_->separate(layout_, {tuning_.search.patience, 1}, given_up);
-    if (outcome.loss > 0) continue;
+    if (outcome.loss > 0 || same_places(outcome.layout, unperturbed, same)) continue;
     auto marker = proved(outcome.layout);
     if (marker && static_cast<double>(length_of(*marker)) <= longest * set_->lattice_units) at = *std::move(marker);
   }

@@ -56,6 +56,8 @@ class Exploration {
 
   // Builds the first layout, in which the `kept` pieces lie where `start` has them.
   void begin(layout::Layout start, const std::vector<bool>& kept);
+  // From now on, does this when it has stalled.
+  void when_stalled(OnStall on_stall);
   // Searches until it has made this many more moves, the budget is used up, or nothing shorter is possible.
   void advance(std::uint64_t moves);
 
@@ -86,7 +88,7 @@ class Exploration {
 
   const layout::PieceSet* set_;
   NestTuning tuning_;
-  OnStall on_stall_;
+  OnStall on_stall_{};
   Budget budget_;
   std::optional<ClothEnd> end_;
   const scene::Run* run_;
@@ -101,7 +103,7 @@ class Exploration {
   double least_length_;  // no marker is shorter; model units
   double step_;
   bool stalled_{};  // an attempt with the least step has failed
-  bool walking_;    // what the next turn does once it has stalled
+  bool walking_{};  // what the next turn does once it has stalled
   bool converged_{};
   layout::Layout layout_;  // the one that is worked on
   int programs_{};

@@ -41,6 +41,8 @@ Race::Runner Race::best_of_starts(const local_search::GuidedSearch& search, cons
   std::uint64_t before = 0;     // moves, when the last start began
   do {
     before = search.moves();
+    const bool no_longer_alone = starts_ == 1 && !runners.empty();
+    if (no_longer_alone) runners.front().exploration->when_stalled(OnStall::kWalk);
     runners.push_back(start(search));
     while (runners.size() > 1 && runners.end()[-2].shares == runners.back().shares) {
       Runner last = std::move(runners.back());
@@ -90,7 +92,7 @@ Race::Runner Race::start(const local_search::GuidedSearch& search) {
 
 OnStall Race::next_on_stall() const {
   if (starts_ == 0) return OnStall::kTakeTurns;
-  return starts_ % 2 == 1 ? OnStall::kWalk : OnStall::kAttempt;
+  return starts_ % 2 == 0 ? OnStall::kWalk : OnStall::kAttempt;
 }
 
 // Lets it make as many moves again as it has made.

@@ -17,7 +17,7 @@
 //       place
 //
 // Whether a stalled search gains more by walks or by attempts (exploration.h) depends on the pieces.  So of two starts,
-// one walks and the other attempts; only the first, which may remain alone, takes turns.
+// one walks and the other attempts.  The first one takes turns as long as there is no other.
 #pragma once
 
 #include <cstddef>

@@ -18,9 +18,10 @@ struct NestTuning {
   double least_step{0.001};       // down to this part; when that fails, too, the search has stalled (exploration.h)
   std::size_t bold_patience{60};  // iterations without progress that end an attempt while steps are larger than that
   // A walk visits markers that are longer than the best one by no more than this part, and gives a step up after so
-  // many moves: most of the steps that succeed take fewer than 100, and those that fail would take about a thousand.
+  // many moves: nine tenths of the steps that succeed take fewer, and those that fail would take about a thousand.
   double walk_slack{0.0015};
-  std::uint64_t walk_moves{200};
+  std::uint64_t walk_moves{60};
+  double same_place{0.005};  // of the width: within this distance a piece has returned to its place
   // A turn of walking or of attempts takes so many moves.  The layouts of failed attempts that overlap least are kept.
   std::uint64_t turn_moves{200'000};
   std::size_t pool{50};

@@ -80,6 +80,13 @@ bool may_meet(const PieceSet& set, const Turned& first, const Place& at_first, c
   return within(set.widest + reach) && within(std::max(0.0, set.clearance(first.outline, second.outline)) + reach);
 }
 
+bool same_places(const Layout& a, const Layout& b, double distance) {
+  return std::equal(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
+                    [distance](const Place& p, const Place& q) {
+                      return p.turn == q.turn && std::hypot(p.x - q.x, p.y - q.y) <= distance;
+                    });
+}
+
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y) {
   Place& place = layout.places[piece];
   const RealBox& box = set.kind(piece).turned[place.turn].box;

@@ -36,6 +36,8 @@ struct Layout {
 // boxes alone.
 [[nodiscard]] bool may_meet(const PieceSet& set, const Turned& first, const Place& at_first, const Turned& second,
                             const Place& at_second, double reach);
+// True when every piece lies in the same orientation in both, no farther than `distance` from its other place.
+[[nodiscard]] bool same_places(const Layout& a, const Layout& b, double distance);
 // Puts the piece's middle there, or as near as its inner fit allows.
 void centre_at(const PieceSet& set, Layout& layout, std::size_t piece, double x, double y);
 

@@ -72,12 +72,13 @@ TEST_F(Races, GoOnWithTheBestOfAllStarts) {
   EXPECT_GE(guided_.moves(), 40 * kShare);
 }
 
-TEST_F(Races, AfterTheFirstStartOneWalksAndTheNextAttempts) {
+// The first begins by turns and walks from the second start on.
+TEST_F(Races, OfTwoStartsOneWalksAndTheOtherAttempts) {
   (void)race({40 * kShare, {}, {}, 0.8, 40}, 0.5);
   ASSERT_GE(on_stall_.size(), 5U);
   on_stall_.resize(5);
   EXPECT_EQ(on_stall_,
-            (std::vector{OnStall::kTakeTurns, OnStall::kWalk, OnStall::kAttempt, OnStall::kWalk, OnStall::kAttempt}));
+            (std::vector{OnStall::kTakeTurns, OnStall::kAttempt, OnStall::kWalk, OnStall::kAttempt, OnStall::kWalk}));
 }
 
 // Attempts are given up at once, and there is no marker of half the length to walk to.
