@@ -308,9 +308,11 @@ Family walks_family() {
   using nesting::NestTuning;
   const NestSettings settings = of_one_start(10 * kMoves);
   return {"walks", "the mean length of three nestings from nothing, of 60,000 moves and one start each", as_it_is,
-          constants_of<NestTuning, NestSettings>(
-              settings, {{"walk_slack", &NestTuning::walk_slack}, {"walk_moves", &NestTuning::walk_moves}},
-              own_tuning<NestTuning, NestSettings>, nested)};
+          constants_of<NestTuning, NestSettings>(settings,
+                                                 {{"walk_slack", &NestTuning::walk_slack},
+                                                  {"walk_moves", &NestTuning::walk_moves},
+                                                  {"same_place", &NestTuning::same_place}},
+                                                 own_tuning<NestTuning, NestSettings>, nested)};
 }
 
 // Turns are a tenth as long as usual, so that there are several of them.
