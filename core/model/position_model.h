@@ -47,7 +47,7 @@ class PositionModel {
 
   [[nodiscard]] ModelUnit unit() const { return unit_; }
 
-  // Displacements that are farther than this from 0 are of no use, in columns: several markers' lengths and widths.
+  // No useful displacement is larger than this, in columns: several times the marker's length and width.
   [[nodiscard]] double reach() const;
   // Returns the program's row, or nothing when the two never move against each other and no row is needed.  With a
   // column `give`, the row may be broken by that column's value.

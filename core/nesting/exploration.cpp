@@ -115,8 +115,8 @@ void Exploration::take_a_turn() {
   if (on_stall_ == OnStall::kTakeTurns && length_ == before) walking_ = !walking_;
 }
 
-// From one valid marker to another that is hardly longer than the best.  Where all pieces return to their places, the
-// step has led nowhere.
+// From one valid marker to another that is hardly longer than the best.  A step after which all
+// pieces lie where they were is not worth compacting.
 void Exploration::walk(std::uint64_t end) {
   const double same = tuning_.same_place * set_->across();
   Marker at = best_;

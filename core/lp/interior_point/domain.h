@@ -43,11 +43,11 @@ class Domain {
   [[nodiscard]] const Measure& measure() const { return measure_; }
   // The residuals of the dual constraints of the border's columns, the domain's part.
   [[nodiscard]] std::span<const double> dual_residuals() const { return on_border(rd_); }
-  // What the prices z prove about points that keep all rows [Farkas]: z.b <= x.(A^T z) for each of them.
+  // What the prices z prove: z.b <= x.(A^T z) for every x that satisfies all rows (Farkas' lemma).
   struct Proof {
-    double bound{};   // z.b
-    double prices{};  // the sum of z
-    double pull{};    // at least the sum of |A^T z|, without the border's columns
+    double bound{};    // z.b
+    double prices{};   // the sum of z
+    double columns{};  // at least the sum of |A^T z| over the columns, without the border's
   };
   [[nodiscard]] Proof proof() const;
   // Measures the residuals of the rows anew: advance() only updates them, so they gather rounding errors.

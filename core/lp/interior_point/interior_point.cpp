@@ -30,7 +30,7 @@ constexpr double kCentring = 3;   // exponent applied to the predicted ratio of 
 constexpr double kAcceptedViolation =
     5e-10;  // row violation allowed when the gap need not close completely; solve() accepts twice as much
 constexpr double kClearlyBroken = 1e-6;  // a row violation that rounding cannot have made
-constexpr double kMended = 0.99;         // the part of the largest violation that is left when rows are being mended
+constexpr double kFalls = 0.99;          // the largest row violation falls when it is below this part of the last one
 constexpr double kDualPart = 1e-2;       // dual tolerance as a fraction of the tolerance of the gap
 constexpr double kLeastCost = 1e-3;      // so that a program without costs has a central path as well
 
@@ -68,9 +68,9 @@ class Iteration {
   // False when a row without columns requires too much: the program is infeasible.
   [[nodiscard]] bool start();
   [[nodiscard]] bool converged();
-  // After converged(): the prices prove that no point within reach comes near to keeping all rows.
+  // After converged(): the prices prove that every point within reach clearly breaks some row.
   [[nodiscard]] bool is_infeasible() const;
-  // After converged(): rows stay broken although nothing else is left to do.
+  // After converged(): the gap has been closed for some iterations, but the row violations no longer fall.
   [[nodiscard]] bool has_stalled() const { return stalls_ >= settings_.stalls; }
   [[nodiscard]] bool step();  // false when no further step is possible, or when cancelled
   // The solution, which starts as the fixed columns.
@@ -109,7 +109,7 @@ class Iteration {
   double least_dual_{kInfinity};  // the smallest dual residual so far
   double primal_{};               // the largest row violation allowed
   double broken_{};               // the largest row violation now
-  int stalls_{};                  // iterations in a row in which the gap was closed and no row was mended
+  int stalls_{};                  // iterations in a row in which the gap was closed and `broken_` did not fall
   double rho_factor_{1};          // the factor applied to rho
 };
 
@@ -179,7 +179,7 @@ bool Iteration::converged() {
   least_dual_ = std::min(least_dual_, dual);
   const bool closed = gap_ <= settings_.gap * (1 + std::abs(cost));
   if (closed && stalled) rho_factor_ = std::max(kLeastRhoFactor, kRhoDecay * rho_factor_);
-  stalls_ = closed && primal > primal_ && primal > kMended * broken_ ? stalls_ + 1 : 0;
+  stalls_ = closed && primal > primal_ && primal > kFalls * broken_ ? stalls_ + 1 : 0;
   broken_ = primal;
   if (!closed || primal > primal_) return false;
   if (dual > settings_.dual && !(stalled && dual <= settings_.dual_when_stalled)) return false;
@@ -190,12 +190,12 @@ bool Iteration::converged() {
 bool Iteration::is_infeasible() const {
   if (broken_ <= primal_ || !std::isfinite(settings_.reach)) return false;
   Domain::Proof sum;
-  for (const double residual : on_border_) sum.pull += std::abs(residual);
+  for (const double residual : on_border_) sum.columns += std::abs(residual);
   for (const auto& domain : domains_) {
     const Domain::Proof proof = domain->proof();
-    sum = {sum.bound + proof.bound, sum.prices + proof.prices, sum.pull + proof.pull};
+    sum = {sum.bound + proof.bound, sum.prices + proof.prices, sum.columns + proof.columns};
   }
-  return sum.bound - settings_.reach * sum.pull > kClearlyBroken * sum.prices;
+  return sum.bound - settings_.reach * sum.columns > kClearlyBroken * sum.prices;
 }
 
 bool Iteration::factorise() {

@@ -28,7 +28,8 @@ struct InteriorPointSettings {
   // Solutions with larger columns are of no use.  A program counts as infeasible when its prices prove that every point
   // within reach breaks some row by far more than rounding does.  Infinite: that is not tried.
   double reach{kInfinity};
-  int stalls{10};  // the method fails after this many iterations in which the gap was closed and no row was mended
+  // The method fails after this many iterations in a row in which the gap was closed but row violations did not fall.
+  int stalls{10};
   // Pieces in a domain (division.h).  Smaller domains share the work among more threads, but leave more of it to the
   // border, which one thread works on.
   int domain_size{500};

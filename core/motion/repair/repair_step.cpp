@@ -15,9 +15,9 @@ namespace {
 
 class RepairProgram {
  public:
-  // Whether simplex tries programs on which the interior point method fails: a failure is the end where nothing else
-  // is left to try.
-  enum class Effort { kLittle, kWhole };
+  // Whether simplex is tried on programs that the interior point method cannot solve.  It takes long to find that a
+  // program is infeasible, as most of these are.
+  enum class Simplex { kNever, kAsLastResort };
 
   RepairProgram(const scene::Scene& scene, const std::vector<Conflict>& conflicts, double reach,
                 const RepairTuning& tuning, const scene::Run& run)
@@ -44,13 +44,13 @@ class RepairProgram {
   // The displacements of least cost with which the marker grows by at most `growth`; solved for the active pieces, and
   // again for more of them as long as rows press on others, or there is no room.  Where all of them have no room
   // either, pairs that lie closer than their rows' margins keep the room they have: a stack may fill the strip exactly.
-  std::optional<std::vector<RealVec>> solve_within(double growth, Effort effort) {
+  std::optional<std::vector<RealVec>> solve_within(double growth, Simplex simplex) {
     for (;;) {
       run_.observer.on_stage(scene::Stage::kRows);
       build(growth);
       run_.observer.on_stage(scene::Stage::kSolve);
       run_.observer.on_program(model_->program());
-      const lp::LpSolution solution = solved(effort);
+      const lp::LpSolution solution = solved(simplex);
       std::vector<std::uint32_t> wanted;
       if (solution.status == lp::LpStatus::kOptimal) {
         wanted = pressed_by(solution);
@@ -68,9 +68,9 @@ class RepairProgram {
   }
 
  private:
-  [[nodiscard]] lp::LpSolution solved(Effort effort) const {
+  [[nodiscard]] lp::LpSolution solved(Simplex simplex) const {
     lp::solver::LpLimits limits;
-    limits.falls_back = effort == Effort::kWhole && tight_ == model::TightRows::kKeep;
+    limits.falls_back = simplex == Simplex::kAsLastResort && tight_ == model::TightRows::kKeep;
     limits.reach = model_->reach();
     return solve(model_->program(), lp::solver::SolverChoice::kAutomatic, limits, run_.stop, *run_.executor);
   }
@@ -144,10 +144,10 @@ bool repair_step(scene::Scene& scene, const std::vector<Conflict>& conflicts, do
   run.observer.on_stage(scene::Stage::kRows);
   const double reach = tuning.reach * limit;
   RepairProgram program{scene, conflicts, reach, tuning, run};
-  using Effort = RepairProgram::Effort;
+  using Simplex = RepairProgram::Simplex;
   const double spare = model::ModelUnit{scene.marker.strip}.to_lattice(tuning.spare_length);
-  for (const auto& [growth, effort] : {std::pair{spare, Effort::kLittle}, std::pair{reach, Effort::kWhole}}) {
-    if (const auto displacements = program.solve_within(growth, effort)) {
+  for (const auto& [growth, simplex] : {std::pair{spare, Simplex::kNever}, std::pair{reach, Simplex::kAsLastResort}}) {
+    if (const auto displacements = program.solve_within(growth, simplex)) {
       scene.pieces.move_by(model::snapped(*displacements));
       return true;
     }

@@ -98,6 +98,14 @@ TEST_F(Races, AStartThatAttemptsGoesOnWhereOneThatWalksGainsNothing) {
   const auto attempts = begun(OnStall::kAttempt, budget, tuning);
   attempts->advance(2 * kMoves);
   EXPECT_LT(attempts->length(), stalled);
+  tuning.turn_moves = kMoves / 10;
+  const auto turns = begun(OnStall::kTakeTurns, budget, tuning);
+  turns->advance(2 * kMoves);
+  EXPECT_LT(turns->length(), stalled);
+  const auto walks_from_now_on = begun(OnStall::kTakeTurns, budget, tuning);
+  walks_from_now_on->when_stalled(OnStall::kWalk);
+  walks_from_now_on->advance(2 * kMoves);
+  EXPECT_EQ(walks_from_now_on->length(), stalled);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.

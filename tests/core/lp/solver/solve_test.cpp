@@ -37,7 +37,7 @@ TEST(Solve, ProvesByItsPricesThatNothingWithinReachIsFeasible) {
   }
 }
 
-// Prices that prove so little would have to be larger than they can become.
+// To prove so small a contradiction, prices would have to be larger than the method can make them.
 TEST(Solve, GivesUpSoonWhereRowsAreInfeasibleByNextToNothing) {
   const LinearProgram program = chain(100, 99 - 1e-7);
   LpLimits limits{.falls_back = false, .reach = 1000};
