@@ -33,13 +33,14 @@ double least_length(const layout::PieceSet& set, const Marker& marker) {
 
 Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search,
                          const NestTuning& tuning, OnStall on_stall, Budget budget, std::optional<ClothEnd> end,
-                         const scene::Run& run, OnBetter on_better)
+                         const scene::Run& run, OnBetter on_better, Shorter shorter)
     : set_{&set},
       tuning_{tuning},
       budget_{std::move(budget)},
       end_{end},
       run_{&run},
       on_better_{std::move(on_better)},
+      shorter_{std::move(shorter)},
       search_{&search},
       best_{std::move(best)},
       length_{length_of(best_)},
@@ -105,6 +106,7 @@ void Exploration::explore() {
 // Walks or attempts.  A search that takes turns then does the same again if it has shortened the marker, else the
 // other.
 void Exploration::take_a_turn() {
+  if (on_stall_ == OnStall::kTakeTurns) take_over();
   const Coord before = length_;
   const std::uint64_t end = own_moves() + tuning_.turn_moves;
   if (walking_) {
@@ -113,6 +115,12 @@ void Exploration::take_a_turn() {
     attempt(end);
   }
   if (on_stall_ == OnStall::kTakeTurns && length_ == before) walking_ = !walking_;
+}
+
+// Late in a time limit, goes on from the best marker of all searches.
+void Exploration::take_over() {
+  if (!shorter_ || budget_.used(search_->moves()) < tuning_.shared) return;
+  if (auto marker = shorter_(length_)) become_best(*std::move(marker));
 }
 
 // From one valid marker to another that is hardly longer than the best.  A step after which all
@@ -157,6 +165,7 @@ void Exploration::attempt(std::uint64_t end) {
 
 void Exploration::compress() {
   while (!over() && !converged_ && !exploring()) {
+    take_over();
     const double done = budget_.compressed(own_moves());
     const double part = tuning_.first_squeeze + done * (tuning_.last_squeeze - tuning_.first_squeeze);
     shorten(part, search_->dice().unit() * best_length());
@@ -193,13 +202,15 @@ std::optional<Marker> Exploration::proved(const layout::Layout& layout) {
   auto done = filling::proved(to_marker(*set_, layout, best_), tuning_.separation_rounds, *run_);
   if (!done) return std::nullopt;
   programs_ += done->programs;
-  if (done->length_after < length_) {
-    best_ = done->marker;
-    length_ = done->length_after;
-    converged_ = best_length() <= least_length_ + 2 / set_->lattice_units;
-    on_better_({search_->moves(), length_}, best_);
-  }
+  if (done->length_after < length_) become_best(done->marker);
   return std::move(done->marker);
+}
+
+void Exploration::become_best(Marker marker) {
+  best_ = std::move(marker);
+  length_ = length_of(best_);
+  converged_ = best_length() <= least_length_ + 2 / set_->lattice_units;
+  on_better_({search_->moves(), length_}, best_);
 }
 
 bool Exploration::over() const {

@@ -47,12 +47,16 @@ enum class OnStall { kTakeTurns, kWalk, kAttempt };
 class Exploration {
  public:
   using OnBetter = std::function<void(const Improvement&, const Marker&)>;
+  // The best marker of all searches, when it is shorter than this.
+  using Shorter = std::function<std::optional<Marker>(Coord)>;
 
   // `best` is valid on an endless strip, places all pieces, and is what the search has to beat; `search` may be shared
-  // with other explorations, one after another; `end`: nothing when the cloth does not end.
+  // with other explorations, one after another; `end`: nothing when the cloth does not end; `shorter`: empty when there
+  // is no other search, or none that it may learn from.
   // REQUIRES: the set, the search and the run outlive it.
   Exploration(const layout::PieceSet& set, Marker best, local_search::GuidedSearch& search, const NestTuning& tuning,
-              OnStall on_stall, Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better);
+              OnStall on_stall, Budget budget, std::optional<ClothEnd> end, const scene::Run& run, OnBetter on_better,
+              Shorter shorter = {});
 
   // Builds the first layout, in which the `kept` pieces lie where `start` has them.
   void begin(layout::Layout start, const std::vector<bool>& kept);
@@ -73,6 +77,7 @@ class Exploration {
   void search();
   void explore();
   void take_a_turn();
+  void take_over();
   void walk(std::uint64_t end);  // own moves at which the turn ends
   void attempt(std::uint64_t end);
   void compress();
@@ -81,6 +86,7 @@ class Exploration {
   [[nodiscard]] bool separate(local_search::Persistence persistence);
   // Makes a valid marker of a layout that hardly overlaps, which becomes the best when it is shorter.
   [[nodiscard]] std::optional<Marker> proved(const layout::Layout& layout);
+  void become_best(Marker marker);
   [[nodiscard]] std::uint64_t own_moves() const { return before_ + (search_->moves() - taken_up_at_); }
   [[nodiscard]] bool exploring() const { return budget_.exploring(own_moves()); }
   [[nodiscard]] bool over() const;
@@ -93,6 +99,7 @@ class Exploration {
   std::optional<ClothEnd> end_;
   const scene::Run* run_;
   OnBetter on_better_;
+  Shorter shorter_;
   local_search::GuidedSearch* search_;
   std::uint64_t taken_up_at_{};  // moves of the search when this exploration began its present part
   std::uint64_t before_{};       // moves of this exploration before that

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/motion/piece/sweep.h"
 #include "core/nesting/batches/batch_share.h"
+#include "core/nesting/best_of_all.h"
 #include "core/nesting/cloth_end.h"
 #include "core/nesting/filling/lying.h"
 #include "core/nesting/finish.h"
@@ -23,25 +23,6 @@
 
 namespace selvage::nesting {
 namespace {
-
-// Passes on what is better than everything that was passed on before, from searches on any thread.
-class Reporter {
- public:
-  Reporter(const scene::Observer& observer, Coord length) : observer_{observer}, length_{length} {}
-
-  void report(const Improvement& improvement, const Marker& marker) {
-    const std::scoped_lock lock{mutex_};
-    if (improvement.length >= length_) return;
-    length_ = improvement.length;
-    observer_.on_round({.number = ++rounds_, .length = length_, .marker = &marker});
-  }
-
- private:
-  const scene::Observer& observer_;
-  std::mutex mutex_;
-  Coord length_;
-  int rounds_{};
-};
 
 // What a piece is worth where the cloth ends: what the caller says, else its area.
 std::vector<double> values_of(const Marker& start, const layout::PieceSet& set, const NestSettings& settings) {
@@ -110,7 +91,7 @@ Marker swept(const Marker& marker, const scene::Run& run) {
 
 // Instead of a search, when there are too many pieces for one.
 Searched search_in_batches(const Task& task, const Budget& budget, const std::function<double()>& elapsed,
-                           const scene::Run& run, Reporter& reporter) {
+                           const scene::Run& run, BestOfAll& best_of_all) {
   const NestSettings& settings = task.settings;
   Searched searched{.best = {.marker = task.first}, .length = length_of(task.first)};
   const auto over = [&] { return budget.over(searched.moves); };
@@ -137,7 +118,7 @@ Searched search_in_batches(const Task& task, const Budget& budget, const std::fu
       searched.best.marker = *std::move(marker);
       searched.length = length;
       searched.history.push_back({searched.moves, length});
-      reporter.report(searched.history.back(), searched.best.marker);
+      best_of_all.offer(searched.history.back(), searched.best.marker);
     }
   }
   return at_cloth_end(std::move(searched), task, budget, settings.seed, run);
@@ -160,7 +141,8 @@ bool has_layout(const Task& task) {
 
 // Every search has its own seed, and starts from the pieces where they lie or, every other one, from scratch.  Starts
 // race where no layout is given and the cloth does not end.
-Searched search(std::size_t number, const Task& task, const Budget& budget, const scene::Run& run, Reporter& reporter) {
+Searched search(std::size_t number, const Task& task, const Budget& budget, const scene::Run& run,
+                BestOfAll& best_of_all) {
   const NestTuning& tuning = task.settings.tuning;
   const std::uint64_t seed = task.settings.seed + number;
   const auto end = cloth_end(task);
@@ -170,16 +152,20 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
     if (improvement.length >= searched.length) return;
     searched.length = improvement.length;
     searched.history.push_back(improvement);
-    reporter.report(improvement, marker);
+    best_of_all.offer(improvement, marker);
   };
+  Exploration::Shorter shorter;
+  if (task.settings.searches > 1 && budget.timed()) {
+    shorter = [&](Coord length) { return best_of_all.shorter_than(length); };
+  }
   std::vector<bool> kept = task.set.fixed;
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
   Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
   local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search};
   const auto begin = [&](OnStall on_stall) {
-    auto exploration =
-        std::make_unique<Exploration>(task.set, task.first, guided, tuning, on_stall, budget, end, run, on_better);
+    auto exploration = std::make_unique<Exploration>(task.set, task.first, guided, tuning, on_stall, budget, end, run,
+                                                     on_better, shorter);
     exploration->begin(to_layout(task.set, from), kept);
     return exploration;
   };
@@ -243,9 +229,10 @@ NestSettings of_each_search(NestSettings settings) {
   return settings;
 }
 
-// All searches, which share nothing but what they report: so any number of threads gives the same results.
+// All searches.  With a limit on moves they share nothing but what they report, so any number of threads gives the same
+// results; late in a time limit they go on from the best marker of all.
 std::vector<Searched> search_all(const Task& task, const std::function<double()>& elapsed, const scene::Run& run,
-                                 Reporter& reporter) {
+                                 BestOfAll& best_of_all) {
   const NestTuning& tuning = task.settings.tuning;
   const bool too_many = task.set.size() > tuning.most_pieces;
   std::vector<std::optional<Searched>> searched(too_many ? 1 : std::max<std::size_t>(1, task.settings.searches));
@@ -253,8 +240,8 @@ std::vector<Searched> search_all(const Task& task, const std::function<double()>
     const scene::Run own = searched.size() == 1 ? run : scene::Run{run.sums, run.stop};
     const TimedRun timed{own, elapsed};
     const Budget budget{task.settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
-    searched[k] = too_many ? search_in_batches(task, budget, elapsed, timed.run(), reporter)
-                           : search(k, task, budget, timed.run(), reporter);
+    searched[k] = too_many ? search_in_batches(task, budget, elapsed, timed.run(), best_of_all)
+                           : search(k, task, budget, timed.run(), best_of_all);
   });
   std::vector<Searched> all;
   for (auto& one : searched) all.push_back(*std::move(one));
@@ -290,17 +277,17 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
   const bool turn = settings.turn && settings.moves > 0 && searched_at_once && may_turn(start->marker);
   std::function<double()> elapsed = settings.elapsed;  // while pieces keep their tilts
   if (elapsed && turn) elapsed = [&settings] { return settings.elapsed() / settings.tuning.searched; };
-  Reporter reporter{run.observer, kLatticeLimit};
+  BestOfAll best_of_all{run.observer, kLatticeLimit};
   const NestSettings of_search = of_each_search(settings);
   const Task task{start->marker, *first, start->set, of_search, values_of(start->marker, start->set, settings)};
-  auto searched = search_all(task, elapsed, run, reporter);
+  auto searched = search_all(task, elapsed, run, best_of_all);
 
   Nesting nesting = best_of(searched);
   if (turn && nesting.left_over == 0 && !run.stopped()) {
     if (auto finish = finished(nesting.marker, start->set.fixed, settings.elapsed, run)) {
       nesting.marker = std::move(finish->marker);
       nesting.programs += finish->programs;
-      reporter.report({nesting.moves, finish->length}, nesting.marker);
+      best_of_all.offer({nesting.moves, finish->length}, nesting.marker);
     }
   }
   nesting.length_before = length_of(given);

@@ -14,6 +14,7 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
     if (!first) first = budget_.used(search.moves());
     return may_start(search.moves(), *first);
   });
+  best.exploration->when_stalled(OnStall::kTakeTurns);
   bool gains = true;
   std::uint64_t before = 0;
   while (budget_.timed() && may_continue(best, search.moves()) && search.moves() > before) {
@@ -26,6 +27,7 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
       const std::uint64_t until = before + moves_of(best);
       Runner other =
           best_of_starts(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
+      other.exploration->when_stalled(OnStall::kTakeTurns);
       gains = other.exploration->length() < best.exploration->length();
       if (gains) std::swap(best, other);
       programs_ += other.exploration->programs();

@@ -17,7 +17,8 @@
 //       place
 //
 // Whether a stalled search gains more by walks or by attempts (exploration.h) depends on the pieces.  So of two starts,
-// one walks and the other attempts.  The first one takes turns as long as there is no other.
+// one walks and the other attempts.  The first one takes turns as long as there is no other, and so does the best one
+// after the race: what has made it short may have nothing more to gain.
 #pragma once
 
 #include <cstddef>

@@ -39,6 +39,7 @@ struct NestTuning {
   // than this part of its length while it made as many moves again.
   std::uint64_t raced_moves{200'000}, least_raced_moves{20'000};
   double raced{0.25}, raced_gain{0.001};
+  double shared{0.5};  // part of a time limit after which searches go on from the best marker of all
   // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
   // of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};

@@ -27,7 +27,7 @@ struct NestParams {
     v.part(self.effort);
     v.optional(
         "searches", self.searches,
-        "Number of independent searches, 1 to 64, which run in parallel; the best result is used.  When absent, as "
+        "Number of searches, 1 to 64, which run in parallel; the best result is used.  When absent, as "
         "many as there are threads to spare, at most 16, if a time is given, and 1 otherwise.",
         {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,

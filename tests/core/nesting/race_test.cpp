@@ -5,26 +5,16 @@
 
 #include <algorithm>
 
-#include "core/nesting/layout/layout.h"
-#include "core/nesting/nest.h"
-#include "tests/core/nesting/unplaced_pieces.h"
+#include "tests/core/nesting/explorations.h"
 
 namespace selvage::nesting {
 namespace {
 
-using test::kSide;
-using test::rectangle;
-
 constexpr std::uint64_t kShare = 60;
 constexpr std::size_t kTooMany = 1'000;  // starts, which end a race with the token of the fixture
 
-Marker rectangles_and_triangles() {
-  const Polygon triangle{{0, 0}, {3 * kSide, 0}, {0, 2 * kSide}};
-  return test::unplaced_pieces({rectangle(2 * kSide, kSide), triangle, rectangle(kSide, 3 * kSide)}, 12, 7 * kSide);
-}
-
 // Nestings of these pieces, from one start after another.
-class Races : public ::testing::Test {
+class Races : public test::Explorations {
  protected:
   // The best exploration of a race with this budget.
   std::unique_ptr<Exploration> race(const Budget& budget, double raced, const NestTuning& tuning = {}) {
@@ -37,23 +27,8 @@ class Races : public ::testing::Test {
     return Race{begin, {kShare / 2, kShare, raced, 0}, budget}.run(guided_);
   }
 
-  std::unique_ptr<Exploration> begun(OnStall on_stall, const Budget& budget, const NestTuning& tuning) {
-    auto exploration = std::make_unique<Exploration>(
-        set_, first_, guided_, tuning, on_stall, budget, std::nullopt, run_,
-        [this](const Improvement& better, const Marker&) { shortest_ = std::min(shortest_, better.length); });
-    exploration->begin(to_layout(set_, first_), set_.fixed);
-    return exploration;
-  }
-
-  SumCache sums_;
-  const scene::Run run_{sums_};
-  const Marker first_ = nest(rectangles_and_triangles(), {}, {sums_})->marker;
-  const layout::PieceSet set_ =
-      *layout::piece_set_of(rectangles_and_triangles(), layout::PlacedPiecesMay::kMove, sums_);
-  local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}};
   std::vector<std::uint64_t> begun_at_;  // the moves before each start
   std::vector<OnStall> on_stall_;        // of each start
-  Coord shortest_{kLatticeLimit};
   std::stop_source stop_;
 };
 
@@ -81,31 +56,29 @@ TEST_F(Races, OfTwoStartsOneWalksAndTheOtherAttempts) {
             (std::vector{OnStall::kTakeTurns, OnStall::kAttempt, OnStall::kWalk, OnStall::kAttempt, OnStall::kWalk}));
 }
 
-// Attempts are given up at once, and there is no marker of half the length to walk to.
-TEST_F(Races, AStartThatAttemptsGoesOnWhereOneThatWalksGainsNothing) {
-  NestTuning tuning;
-  tuning.first_step = tuning.least_step;
-  tuning.search.patience = tuning.search.strikes = 1;
-  tuning.walk_slack = -0.5;
-  tuning.explored = 1;
-  const Budget budget{1'000'000, {}, {}, tuning.explored, 40};
-  constexpr std::uint64_t kMoves = 3'000;
-  const auto walks = begun(OnStall::kWalk, budget, tuning);
-  walks->advance(kMoves);
-  const Coord stalled = walks->length();
-  walks->advance(kMoves);
-  EXPECT_EQ(walks->length(), stalled);
-  const auto attempts = begun(OnStall::kAttempt, budget, tuning);
-  attempts->advance(2 * kMoves);
-  EXPECT_LT(attempts->length(), stalled);
-  tuning.turn_moves = kMoves / 10;
-  const auto turns = begun(OnStall::kTakeTurns, budget, tuning);
-  turns->advance(2 * kMoves);
-  EXPECT_LT(turns->length(), stalled);
-  const auto walks_from_now_on = begun(OnStall::kTakeTurns, budget, tuning);
-  walks_from_now_on->when_stalled(OnStall::kWalk);
-  walks_from_now_on->advance(2 * kMoves);
-  EXPECT_EQ(walks_from_now_on->length(), stalled);
+// Attempts gain, and walks do not.
+TEST_F(Races, TheBestTakesTurnsAfterwardsEvenIfItOnlyWalkedBefore) {
+  NestTuning tuning = only_attempts_gain();
+  constexpr std::uint64_t kTurn = 10 * kShare;
+  constexpr std::uint64_t kAll = 20 * kTurn;
+  tuning.turn_moves = kTurn;
+  const auto walks = begun(OnStall::kWalk, {1'000'000, {}, {}, tuning.explored, 40}, tuning);
+  const std::uint64_t begin_of_walks = guided_.moves();
+  walks->advance(kAll);
+  EXPECT_LT(improved_at_, begin_of_walks + kShare);
+
+  const std::uint64_t begin = guided_.moves();
+  const auto elapsed = [&] { return static_cast<double>(guided_.moves() - begin) / kAll; };
+  const Budget budget{1'000'000, elapsed, {}, tuning.explored, 40};
+  int starts = 0;
+  const auto begin_walk = [&](OnStall) {
+    ++starts;
+    return begun(OnStall::kWalk, budget, tuning);
+  };
+  constexpr double kAnyGain = -1;
+  const auto best = Race{begin_walk, {kShare / 2, kShare, 0, kAnyGain}, budget}.run(guided_);
+  EXPECT_EQ(starts, 1);
+  EXPECT_GT(improved_at_, begin + kShare);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
