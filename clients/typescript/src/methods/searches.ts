@@ -49,7 +49,7 @@ export interface SearchMethods {
       seconds?: number;
       /** The seed of the random choices. */
       seed?: number;
-      /** Number of independent searches, 1 to 64, which run in parallel; the best result is used.  When absent, as many as there are threads to spare, at most 16, if a time is given, and 1 otherwise. */
+      /** Number of searches, 1 to 64, which run in parallel; the best result is used.  When absent, as many as there are threads to spare, at most 16, if a time is given, and 1 otherwise. */
       searches?: number;
       /** True: pieces that lie on the cloth stay there, except for compaction; false: they are nested again. */
       keepPlaced?: boolean;
