@@ -14,7 +14,6 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
     if (!first) first = budget_.used(search.moves());
     return may_start(search.moves(), *first);
   });
-  best.exploration->when_stalled(OnStall::kTakeTurns);
   bool gains = true;
   std::uint64_t before = 0;
   while (budget_.timed() && may_continue(best, search.moves()) && search.moves() > before) {
@@ -23,14 +22,14 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
       const auto length = static_cast<double>(best.exploration->length());
       double_moves(best);
       gains = static_cast<double>(best.exploration->length()) < length * (1 - terms_.least_gain);
+      if (!gains) best.exploration->when_stalled(OnStall::kTakeTurns);
     } else {
       const std::uint64_t until = before + moves_of(best);
       Runner other =
           best_of_starts(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
-      other.exploration->when_stalled(OnStall::kTakeTurns);
-      gains = other.exploration->length() < best.exploration->length();
-      if (gains) std::swap(best, other);
+      if (other.exploration->length() < best.exploration->length()) std::swap(best, other);
       programs_ += other.exploration->programs();
+      gains = true;
     }
   }
   best.exploration->advance(std::numeric_limits<std::uint64_t>::max());
