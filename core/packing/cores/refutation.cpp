@@ -15,7 +15,7 @@ using branching::SearchEnd;
 constexpr std::array kShares{0.9, 0.92, 0.95};  // of a piece's area that its core has; from small cores to large ones
 constexpr std::uint64_t kFirstNodes = 300;      // most searches are over before
 constexpr std::uint64_t kNodesOfANode = 4;      // of the search for the pieces, from then on
-constexpr std::uint64_t kMostNodes = 1200;      // of all searches for cores
+constexpr std::uint64_t kMostNodes = 500;       // of all searches for cores
 constexpr auto kAnyLength = static_cast<double>(kLatticeLimit);
 
 branching::SearchCalls calls_of(const scene::Run& run) {

@@ -63,7 +63,7 @@ TEST(Coarsened, PiecesThatStayOrHaveRulesAreLeftAsTheyAre) {
 TEST(Coarsened, WithoutTurnsPiecesKeepTheirOrientations) {
   Marker marker = three_cuffs();
   marker.pieces[2].orientation.rotation = Angle::of_degrees(180);
-  EXPECT_FALSE(coarsened(marker, kAll, false, 0.95));
+  EXPECT_FALSE(coarsened(marker, kAll, false, 0.97));
   const auto cores = coarsened(marker, {true, true, true}, false, 0.8);
   ASSERT_TRUE(cores);
   EXPECT_EQ(cores->pieces[2].shape, cores->pieces[0].shape);

@@ -50,7 +50,7 @@ TEST_F(PileOfCuffs, IsNotRefutedWhereItFits) {
   branching::Work own;
   EXPECT_FALSE(refuted(70'000, own));
   EXPECT_GT(own.nodes, 0);
-  EXPECT_LE(own.nodes, 1'300);
+  EXPECT_LE(own.nodes, 600);
 }
 
 TEST_F(PileOfCuffs, ShortSearchesHaveNone) {
