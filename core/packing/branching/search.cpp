@@ -79,7 +79,12 @@ void Search::round() {
   for (Subtree& subtree : open_) subtree.lower_ceiling(ceiling_);
   calls_.on_round(bound(), work());
   if (calls_.guess && goes_on()) guess();
-  if (calls_.refutes && goes_on() && calls_.refutes(outcome_.work, refuting_)) end_without_layout();
+  if (!calls_.refutes || !goes_on()) return;
+  if (calls_.refutes(outcome_.work, refuting_)) {
+    end_without_layout();
+  } else if (calls_.guess) {
+    guess();
+  }
 }
 
 void Search::guess() {

@@ -37,8 +37,8 @@ struct SearchCalls {
   PlaceLeaf place_leaf;
   std::function<void(const Leaf&)> on_leaf;  // of every leaf that is placed
   std::function<void(double bound, const Work&)> on_round = [](double, const Work&) {};
-  // Called after every round without a layout: one that is found in another way, placed, ends the search.  Adds its own
-  // work.  Only where any layout will do.
+  // Called after every round without a layout, and again after `refutes`, which may have made a guess easier: a layout
+  // that is found in another way, placed, ends the search.  Adds its own work.  Only where any layout will do.
   std::function<std::optional<Leaf>(Work&)> guess{};
   // Called after that: true when it is proved in another way that there is no layout, which ends the search.  Sets
   // `own` to its own work so far.  Only where any layout will do.

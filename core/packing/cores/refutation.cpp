@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "core/geometry/lattice.h"
 #include "core/packing/cores/coarsening.h"
@@ -18,10 +19,10 @@ constexpr std::uint64_t kNodesOfANode = 4;      // of the search for the pieces,
 constexpr std::uint64_t kMostNodes = 500;       // of all searches for cores
 constexpr auto kAnyLength = static_cast<double>(kLatticeLimit);
 
-branching::SearchCalls calls_of(const scene::Run& run) {
+branching::SearchCalls calls_of(const scene::Run& run, std::vector<RealVec>& found) {
   branching::SearchCalls calls;
   calls.place_leaf = [](branching::Leaf&) { return true; };  // a layout up to rounding is as good as one
-  calls.on_leaf = [](const branching::Leaf&) {};
+  calls.on_leaf = [&found](const branching::Leaf& leaf) { found = leaf.positions; };
   calls.stop = run.stop;
   calls.executor = run.executor;
   return calls;
@@ -31,11 +32,11 @@ branching::SearchCalls calls_of(const scene::Run& run) {
 
 Refutation::Level::Level(const Marker& marker, const Refutation& refutation)
     : bodies{bodies_of(marker, refutation.freedom_, refutation.run_)},
-      search{bodies.problem, kAnyLength, 0, refutation.tuning_, calls_of(refutation.run_)} {}
+      search{bodies.problem, kAnyLength, 0, refutation.tuning_, calls_of(refutation.run_, found)} {}
 
 Refutation::Refutation(const Marker& marker, const bodies::Freedom& freedom, const branching::SearchTuning& tuning,
-                       const scene::Run& run)
-    : marker_{marker}, freedom_{freedom}, tuning_{tuning}, run_{run} {}
+                       const scene::Run& run, OnCores on_cores)
+    : marker_{marker}, freedom_{freedom}, tuning_{tuning}, run_{run}, on_cores_{std::move(on_cores)} {}
 
 bool Refutation::begin() {
   while (next_share_ < kShares.size()) {
@@ -60,7 +61,9 @@ bool Refutation::next(const branching::Work& searched, branching::Work& own) {
     if (outcome.end == SearchEnd::kExhausted) return true;
     if (outcome.end != SearchEnd::kAnswered) break;
     finished_ = own;
+    const bool ends = on_cores_(level_->found);
     level_.reset();
+    if (ends) break;
   }
   return false;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "core/packing/contain.h"
@@ -29,7 +30,11 @@ class PileOfCuffs : public testing::Test {
   bool refuted(Coord height, branching::Work& own) {
     const bodies::Freedom freedom{std::vector<bool>(7, true), Box{{0, 0}, {40'000, height}}, true};
     SumCache sums;
-    Refutation refutation{marker_, freedom, ContainSettings{}.tuning, scene::Run{sums}};
+    Refutation refutation{marker_, freedom, ContainSettings{}.tuning, scene::Run{sums},
+                          [&](const std::vector<RealVec>& positions) {
+                            layouts_.push_back(positions);
+                            return false;
+                          }};
     branching::Work searched;
     for (searched.nodes = 0; searched.nodes < 4'000; searched.nodes += 100) {
       if (refutation.next(searched, own)) return true;
@@ -38,12 +43,14 @@ class PileOfCuffs : public testing::Test {
   }
 
   Marker marker_;
+  std::vector<std::vector<RealVec>> layouts_;  // of cores
 };
 
 TEST_F(PileOfCuffs, IsRefutedWhereItIsTooHigh) {
   branching::Work own;
   EXPECT_TRUE(refuted(69'000, own));
   EXPECT_LT(own.nodes, 100);
+  EXPECT_TRUE(layouts_.empty());
 }
 
 TEST_F(PileOfCuffs, IsNotRefutedWhereItFits) {
@@ -53,10 +60,23 @@ TEST_F(PileOfCuffs, IsNotRefutedWhereItFits) {
   EXPECT_LE(own.nodes, 600);
 }
 
+TEST_F(PileOfCuffs, TellsTheLayoutsOfItsCores) {
+  branching::Work own;
+  EXPECT_FALSE(refuted(70'000, own));
+  ASSERT_FALSE(layouts_.empty());
+  for (const auto& positions : layouts_) {
+    ASSERT_EQ(positions.size(), 7);
+    for (std::size_t a = 0; a < 7; ++a) {
+      for (std::size_t b = 0; b < a; ++b) EXPECT_GE(std::abs(positions[a].y - positions[b].y), 9'900);
+    }
+  }
+}
+
 TEST_F(PileOfCuffs, ShortSearchesHaveNone) {
   const bodies::Freedom freedom{std::vector<bool>(7, true), Box{{0, 0}, {40'000, 60'000}}, true};
   SumCache sums;
-  Refutation refutation{marker_, freedom, ContainSettings{}.tuning, scene::Run{sums}};
+  Refutation refutation{marker_, freedom, ContainSettings{}.tuning, scene::Run{sums},
+                        [](const std::vector<RealVec>&) { return false; }};
   branching::Work searched;
   searched.nodes = 300;
   branching::Work own;
