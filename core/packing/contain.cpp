@@ -10,6 +10,7 @@
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
+#include "core/packing/cores/refutation.h"
 #include "core/packing/guessing/guessed_layouts.h"
 #include "core/packing/nearby.h"
 
@@ -100,6 +101,9 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   calls.executor = run.executor;
   guessing::GuessedLayouts guessed{bodies.problem, settings.tuning, calls.place_leaf, run.stop};
   calls.guess = [&](branching::Work& work) { return guessed.next(work); };
+  const auto on_cores = [&](const std::vector<RealVec>& positions) { return guessed.begin_at(positions); };
+  cores::Refutation refutation{part.marker, freedom, settings.tuning, run.quiet(), on_cores};
+  calls.refutes = [&](const branching::Work& searched, branching::Work& own) { return refutation.next(searched, own); };
   const auto outcome =
       branching::search(bodies.problem, static_cast<double>(kLatticeLimit), 0, settings.limits, settings.tuning, calls);
   result.verdict = verdict_of(outcome);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/base/executor.h"
 #include "core/packing/branching/subtree.h"
@@ -36,15 +37,55 @@ struct SearchCalls {
   PlaceLeaf place_leaf;
   std::function<void(const Leaf&)> on_leaf;  // of every leaf that is placed
   std::function<void(double bound, const Work&)> on_round = [](double, const Work&) {};
-  // Called after every round without a layout: one that is found in another way, placed, ends the search.  Adds its own
-  // work.  Only where any layout will do.
+  // Called after every round without a layout, and again after `refutes`, which may have made a guess easier: a layout
+  // that is found in another way, placed, ends the search.  Adds its own work.  Only where any layout will do.
   std::function<std::optional<Leaf>(Work&)> guess{};
+  // Called after that: true when it is proved in another way that there is no layout, which ends the search.  Sets
+  // `own` to its own work so far.  Only where any layout will do.
+  std::function<bool(const Work& searched, Work& own)> refutes{};
   std::stop_token stop{};
   const Executor* executor = &serial();
 };
 
 // Searches the layouts up to the ceiling.  Where the length is minimised, until none is shorter than the shortest one
 // found by more than the gap; otherwise until one is found.  With a vicinity, layouts outside of it do not count.
+class Search {
+ public:
+  // The problem must outlive this.
+  Search(const Problem& problem, double ceiling, double gap, const SearchTuning& tuning, SearchCalls calls,
+         const Vicinity* vicinity = nullptr);
+
+  // Goes on until it is over or all its work so far reaches a limit.  The outcome is of all its work.
+  SearchOutcome run(const WorkLimits& limits);
+
+ private:
+  [[nodiscard]] double bound() const;
+  [[nodiscard]] bool over();
+  [[nodiscard]] bool goes_on() const { return !answered_ && !open_.empty() && !calls_.stop.stop_requested(); }
+  void round();
+  void sort_most_promising(std::size_t count);
+  void collect(Subtree& subtree);
+  void learn_from(std::size_t count);
+  void spread(std::size_t k);
+  [[nodiscard]] Work work() const;
+  void guess();
+  void end_without_layout();
+
+  const Problem* problem_;
+  double ceiling_;    // of the layouts that are still of interest
+  double closed_at_;  // the least ceiling, or length in doubt, of any subtree so far
+  double gap_;
+  WorkLimits limits_{};
+  SearchTuning tuning_;
+  SearchCalls calls_;
+  std::vector<Subtree> open_;
+  bool answered_{};
+  Conflicts learnt_;       // in all subtrees so far
+  Work refuting_;          // of calls_.refutes
+  SearchOutcome outcome_;  // without that work
+};
+
+// The same, once.
 [[nodiscard]] SearchOutcome search(const Problem& problem, double ceiling, double gap, const WorkLimits& limits,
                                    const SearchTuning& tuning, const SearchCalls& calls,
                                    const Vicinity* vicinity = nullptr);

@@ -11,8 +11,10 @@ namespace {
 
 constexpr std::uint64_t kFirstNodes = 300;  // most searches are over before
 constexpr std::int64_t kMovesOfANode = 1;   // these take less than half as long as the node
-constexpr double kReach = 0.05;             // a part of the largest range
-constexpr std::uint64_t kNodesNear = 32;    // of the search near a guess
+constexpr int kStarts = 4;                  // guesses that begin at given positions
+constexpr std::int64_t kMovesOfAStart = 100;
+constexpr double kReach = 0.05;           // a part of the largest range
+constexpr std::uint64_t kNodesNear = 32;  // of the search near a guess
 
 }  // namespace
 
@@ -26,7 +28,20 @@ GuessedLayouts::GuessedLayouts(const Problem& problem, const branching::SearchTu
   }
 }
 
+// With a guesser of its own, so that the guesses at the pace of the search stay as they are.
+bool GuessedLayouts::begin_at(const std::vector<RealVec>& positions) {
+  Guesser guesser{*problem_};
+  guesser.begin_at(positions);
+  for (int start = 0; start < kStarts && !found_ && !stop_.stop_requested(); ++start) {
+    std::int64_t moves = kMovesOfAStart;
+    found_ = near(guesser.next(moves, stop_), work_);
+  }
+  return found_.has_value();
+}
+
 std::optional<branching::Leaf> GuessedLayouts::next(branching::Work& work) {
+  work += std::exchange(work_, {});
+  if (found_) return std::exchange(found_, std::nullopt);
   if (work.nodes < kFirstNodes) return std::nullopt;
   if (!guesser_) guesser_.emplace(*problem_);
   std::int64_t moves = kMovesOfANode * static_cast<std::int64_t>(work.nodes - paid_);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/packing/branching/subtree.h"
 #include "core/packing/branching/tuning.h"
@@ -19,8 +20,12 @@ class GuessedLayouts {
   GuessedLayouts(const Problem& problem, const branching::SearchTuning& tuning, branching::PlaceLeaf place_leaf,
                  std::stop_token stop);
 
-  // Makes the guesses that are due after so much work, and adds the work of the searches near them.  Returns a layout
-  // as soon as there is one.
+  // Makes some guesses that begin with the bodies near these positions.  True when there is a layout, which `next`
+  // returns.
+  [[nodiscard]] bool begin_at(const std::vector<RealVec>& positions);
+
+  // Makes the guesses that are due after so much work, and adds the work of the searches near guesses.  Returns a
+  // layout as soon as there is one.
   [[nodiscard]] std::optional<branching::Leaf> next(branching::Work& work);
 
  private:
@@ -32,7 +37,9 @@ class GuessedLayouts {
   std::stop_token stop_;
   double reach_{1};  // of a search near a guess; lattice units
   std::optional<Guesser> guesser_;
-  std::uint64_t paid_{};  // nodes of the search for which guesses were made
+  std::uint64_t paid_{};                  // nodes of the search for which guesses were made
+  std::optional<branching::Leaf> found_;  // since `next`, by begin_at
+  branching::Work work_;                  // since `next`, of begin_at
 };
 
 }  // namespace selvage::packing::guessing

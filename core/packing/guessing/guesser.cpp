@@ -18,6 +18,7 @@ constexpr int kSamples = 10;         // random positions in each variant
 constexpr double kFirstStep = 0.05;  // of a descent: a part of the range
 constexpr double kLastStep = 2e-4;   // the same
 constexpr double kShorter = 0.5;     // the next step, after two ways without a gain
+constexpr int kTurnRounds = 2;       // in which each body takes its best variant
 constexpr int kPatience = 80;        // iterations without a gain
 constexpr double kGain = 1e-3;       // the least one: a part of the overlap
 constexpr double kLeastRaise = 1.2;  // of the weights of pairs that overlap [GVW25],
@@ -119,6 +120,27 @@ void Guesser::scatter() {
   fresh_ = false;
 }
 
+RealVec Guesser::nearest(std::size_t body, std::uint32_t variant, RealVec position) const {
+  const auto& range = problem_->bodies[body].variants[variant].range;
+  return {std::clamp(position.x, range.low_x, range.high_x), std::clamp(position.y, range.low_y, range.high_y)};
+}
+
+void Guesser::begin_at(const std::vector<RealVec>& positions) {
+  scatter();
+  for (std::size_t body = 0; body < bodies_; ++body) placed_[body] = {nearest(body, 0, positions[body]), 0};
+  for (int round = 0; round < kTurnRounds; ++round) {
+    for (std::size_t body = 0; body < bodies_; ++body) {
+      Candidate best{placed_[body], loss(body, placed_[body], std::numeric_limits<double>::infinity())};
+      for (std::uint32_t variant = 0; variant < problem_->bodies[body].variants.size(); ++variant) {
+        const Placed turned{nearest(body, variant, positions[body]), variant};
+        const double found = loss(body, turned, best.loss);
+        if (found < best.loss) best = {turned, found};
+      }
+      placed_[body] = best.placed;
+    }
+  }
+}
+
 void Guesser::keep(const Candidate& candidate) {
   const auto worse = std::ranges::upper_bound(candidates_, candidate.loss, {}, &Candidate::loss);
   candidates_.insert(worse, candidate);
@@ -152,8 +174,7 @@ Guesser::Candidate Guesser::descended(std::size_t body, Candidate from) {
     bool better = false;
     for (const double sign : {step, -step}) {
       Placed next = from.placed;
-      next.at = {std::clamp(next.at.x + sign * kWays[way].x, range.low_x, range.high_x),
-                 std::clamp(next.at.y + sign * kWays[way].y, range.low_y, range.high_y)};
+      next.at = nearest(body, next.variant, {next.at.x + sign * kWays[way].x, next.at.y + sign * kWays[way].y});
       const double found = loss(body, next, from.loss);
       if (found >= from.loss) continue;
       from = {next, found};

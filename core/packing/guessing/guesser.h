@@ -32,6 +32,10 @@ class Guesser {
   // REQUIRES: every body has a variant.  The problem must outlive this.
   explicit Guesser(const Problem& problem);
 
+  // Begins anew with the bodies as near to these positions as they can be, each in the variant that overlaps least
+  // there.
+  void begin_at(const std::vector<RealVec>& positions);
+
   // Iterates until `moves` are made, the last iteration being completed, or until nothing has been gained for a while;
   // then the next call begins anew.  Returns the layout that overlapped least; `moves` is reduced by those made.
   [[nodiscard]] Guess next(std::int64_t& moves, const std::stop_token& stop);
@@ -56,6 +60,7 @@ class Guesser {
   [[nodiscard]] double loss(std::size_t body, const Placed& placed, double bound) const;
   [[nodiscard]] double part(double low, double high);
   void scatter();
+  [[nodiscard]] RealVec nearest(std::size_t body, std::uint32_t variant, RealVec position) const;
   void move(std::size_t body);
   void sample(std::size_t body, const Candidate& now);
   void keep(const Candidate& candidate);

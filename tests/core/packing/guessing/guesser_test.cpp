@@ -87,6 +87,43 @@ TEST_F(TwelveRectangles, LayoutNearAGuessIsValid) {
   EXPECT_GE(work.nodes, 1'000U);
 }
 
+// Some of the positions are a little beside those of the layout.
+TEST_F(TwelveRectangles, GuessesThatBeginNearALayoutFindOne) {
+  branching::Work work{.nodes = 1'000};
+  const auto layout = guessed().next(work);
+  ASSERT_TRUE(layout);
+  std::vector<RealVec> positions = layout->positions;
+  for (std::size_t body = 0; body < positions.size(); body += 3) positions[body].x += 100;
+  GuessedLayouts again = guessed();
+  ASSERT_TRUE(again.begin_at(positions));
+  branching::Work brief;
+  const auto found = again.next(brief);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(is_valid(bodies::placed(marker_, bodies_, *found)));
+  EXPECT_LT(brief.nodes, 100U);
+  EXPECT_FALSE(again.next(brief));
+}
+
+// An L in a room of the size of its box leaves one corner free for a square: which one depends on how it is turned.
+TEST(GuesserBeginAt, TakesTheVariantsThatOverlapLeast) {
+  test::Layout layout{10'000};
+  const Polygon angle{{0, 0}, {10'000, 0}, {10'000, 4'900}, {4'900, 4'900}, {4'900, 10'000}, {0, 10'000}};
+  layout.put(layout.shape_of(angle), {0, 0}).put(layout.shape_of(test::rectangle(5'000, 5'000)), {0, 0});
+  Marker marker = layout.marker();
+  marker.shapes[0].rotations = {Angle{}, Angle::of_degrees(90), Angle::of_degrees(180), Angle::of_degrees(270)};
+  SumCache sums;
+  const bodies::Freedom freedom{std::vector<bool>(2, true), Box{{0, 0}, {10'000, 10'000}}, true};
+  const bodies::Bodies bodies = bodies::bodies_of(marker, freedom, scene::Run{sums});
+  for (const RealVec corner : {RealVec{0, 0}, RealVec{5'000, 0}, RealVec{0, 5'000}, RealVec{5'000, 5'000}}) {
+    Guesser guesser{bodies.problem};
+    guesser.begin_at({{0, 0}, corner});
+    std::int64_t moves = 1;
+    const Guess guess = guesser.next(moves, {});
+    EXPECT_EQ(guess.positions[1].x, corner.x);
+    EXPECT_EQ(guess.positions[1].y, corner.y);
+  }
+}
+
 TEST_F(TwelveRectangles, NoGuessIsMadeBeforeTheSearchHasTakenLongNorAfterAStop) {
   branching::Work brief{.nodes = 50};
   EXPECT_FALSE(guessed().next(brief));
