@@ -58,7 +58,7 @@ bool Refutation::next(const branching::Work& searched, branching::Work& own) {
     const auto outcome = level_->search.run({.nodes = due - finished_.nodes});
     own = finished_;
     own += outcome.work;
-    if (outcome.end == SearchEnd::kExhausted) return true;
+    if (outcome.end == SearchEnd::kExhausted && !outcome.undecided) return true;
     if (outcome.end != SearchEnd::kAnswered) break;
     finished_ = own;
     const bool ends = on_cores_(level_->found);
