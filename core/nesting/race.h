@@ -10,15 +10,15 @@
 //
 // With a limit on moves, what a race does next does not depend on the limit.  With a time limit, a part of the time is
 // spent on starts, whose share of moves is reduced where that leaves time for more of them.  Then the best exploration
-// goes on, as long as it gains enough:
+// goes on:
 //
 //     repeat: let the best exploration make as many moves again as it has made
-//       if that has hardly shortened its marker: race new starts for as many moves, of which a better one takes its
-//       place
+//       if that has hardly shortened its marker: let it take turns from now on, and race new starts for as many moves,
+//       of which a better one takes its place
 //
 // Whether a stalled search gains more by walks or by attempts (exploration.h) depends on the pieces.  So of two starts,
 // one walks and the other attempts.  The first one takes turns as long as there is no other, and so does the best one
-// after the race: what has made it short may have nothing more to gain.
+// once it hardly gains any more: the other kind may still shorten its marker.
 #pragma once
 
 #include <cstddef>
