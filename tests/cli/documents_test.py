@@ -83,7 +83,7 @@ class Manual(unittest.TestCase):
         page = run("manual").stdout
         self.assertEqual(page.count("Write the resulting marker to this file"), 1)
         self.assertIn("Common options: \\fB\\-\\-out\\fR", page)
-        self.assertIn("independent searches, 1 to 64, which run in parallel; the best result is used.  When absent, as many", page)
+        self.assertIn("searches, 1 to 64, which run in parallel; the best result is used.  When absent, as many", page)
         self.assertIn("The seed of the random choices.  Default: 1.", page)
         self.assertNotRegex(page, r"[a-z]keepPlaced|Not together with keepPlaced")
 

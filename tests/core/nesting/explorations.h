@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <utility>
 
@@ -27,10 +26,7 @@ class Explorations : public ::testing::Test {
                                               nesting::Exploration::Shorter shorter = {}) {
     auto exploration = std::make_unique<nesting::Exploration>(
         set_, first_, guided_, tuning, on_stall, budget, std::nullopt, run_,
-        [this](const nesting::Improvement& better, const Marker&) {
-          shortest_ = std::min(shortest_, better.length);
-          improved_at_ = better.moves;
-        },
+        [this](const nesting::Improvement& better, const Marker&) { shortest_ = std::min(shortest_, better.length); },
         std::move(shorter));
     exploration->begin(to_layout(set_, first_), set_.fixed);
     return exploration;
@@ -53,7 +49,6 @@ class Explorations : public ::testing::Test {
       *nesting::layout::piece_set_of(rectangles_and_triangles(), nesting::layout::PlacedPiecesMay::kMove, sums_);
   nesting::local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}};
   Coord shortest_{kLatticeLimit};  // of all explorations
-  std::uint64_t improved_at_{};    // the moves after which one of them last became shorter
 };
 
 }  // namespace selvage::test

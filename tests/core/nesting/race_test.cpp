@@ -56,29 +56,28 @@ TEST_F(Races, OfTwoStartsOneWalksAndTheOtherAttempts) {
             (std::vector{OnStall::kTakeTurns, OnStall::kAttempt, OnStall::kWalk, OnStall::kAttempt, OnStall::kWalk}));
 }
 
-// Attempts gain, and walks do not.
-TEST_F(Races, TheBestTakesTurnsAfterwardsEvenIfItOnlyWalkedBefore) {
+// Attempts gain, and walks do not.  All starts walk, and those after the first are over as soon as they begin.
+TEST_F(Races, InTimeTheBestTakesTurnsOnceItHardlyGains) {
   NestTuning tuning = only_attempts_gain();
-  constexpr std::uint64_t kTurn = 10 * kShare;
-  constexpr std::uint64_t kAll = 20 * kTurn;
-  tuning.turn_moves = kTurn;
-  const auto walks = begun(OnStall::kWalk, {1'000'000, {}, {}, tuning.explored, 40}, tuning);
-  const std::uint64_t begin_of_walks = guided_.moves();
-  walks->advance(kAll);
-  EXPECT_LT(improved_at_, begin_of_walks + kShare);
-
-  const std::uint64_t begin = guided_.moves();
-  const auto elapsed = [&] { return static_cast<double>(guided_.moves() - begin) / kAll; };
+  tuning.turn_moves = 5 * kShare;
+  NestTuning in_vain = tuning;
+  in_vain.moves_in_vain = 0;
+  in_vain.least_gain = 1;
+  constexpr std::uint64_t kAll = 400 * kShare;
+  const auto elapsed = [&] { return static_cast<double>(guided_.moves()) / kAll; };
   const Budget budget{1'000'000, elapsed, {}, tuning.explored, 40};
-  int starts = 0;
-  const auto begin_walk = [&](OnStall) {
-    ++starts;
-    return begun(OnStall::kWalk, budget, tuning);
+  const Exploration* first = nullptr;
+  Coord before_others = 0;
+  const auto begin = [&](OnStall) {
+    if (first && before_others == 0) before_others = first->length();
+    auto walk = begun(OnStall::kWalk, budget, first ? in_vain : tuning);
+    if (!first) first = walk.get();
+    return walk;
   };
-  constexpr double kAnyGain = -1;
-  const auto best = Race{begin_walk, {kShare / 2, kShare, 0, kAnyGain}, budget}.run(guided_);
-  EXPECT_EQ(starts, 1);
-  EXPECT_GT(improved_at_, begin + kShare);
+  constexpr double kAllOfIt = 1;  // less than that is hardly a gain
+  const auto best = Race{begin, {kShare / 2, kShare, 0, kAllOfIt}, budget}.run(guided_);
+  EXPECT_EQ(best.get(), first);
+  EXPECT_LT(best->length(), before_others);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
