@@ -25,11 +25,10 @@ struct NestParams {
   static void describe(auto& v, auto& self) {
     v.part(self.call);
     v.part(self.effort);
-    v.optional(
-        "searches", self.searches,
-        "Number of searches, 1 to 64, which run in parallel; the best result is used.  When absent, as "
-        "many as there are threads to spare, at most 16, if a time is given, and 1 otherwise.",
-        {.range = {{1, kMostSearches}}});
+    v.optional("searches", self.searches,
+               "Number of searches, 1 to 64, which run in parallel; the best result is used.  When absent, as "
+               "many as there are threads to spare, at most 16, if a time is given, and 1 otherwise.",
+               {.range = {{1, kMostSearches}}});
     v.optional("keepPlaced", self.keep_placed,
                "True: pieces that lie on the cloth stay there, except for compaction; false: they are nested again.");
     v.optional(

@@ -57,7 +57,7 @@ TEST_F(Races, OfTwoStartsOneWalksAndTheOtherAttempts) {
 }
 
 // Attempts gain, and walks do not.  All starts walk, and those after the first are over as soon as they begin.
-TEST_F(Races, InTimeTheBestTakesTurnsOnceItHardlyGains) {
+TEST_F(Races, InTimeTheBestTakesTurnsAndGoesOnOnceItHardlyGains) {
   NestTuning tuning = only_attempts_gain();
   tuning.turn_moves = 5 * kShare;
   NestTuning in_vain = tuning;
@@ -69,6 +69,7 @@ TEST_F(Races, InTimeTheBestTakesTurnsOnceItHardlyGains) {
   const Exploration* first = nullptr;
   Coord before_others = 0;
   const auto begin = [&](OnStall) {
+    begun_at_.push_back(guided_.moves());
     if (first && before_others == 0) before_others = first->length();
     auto walk = begun(OnStall::kWalk, budget, first ? in_vain : tuning);
     if (!first) first = walk.get();
@@ -78,6 +79,9 @@ TEST_F(Races, InTimeTheBestTakesTurnsOnceItHardlyGains) {
   const auto best = Race{begin, {kShare / 2, kShare, 0, kAllOfIt}, budget}.run(guided_);
   EXPECT_EQ(best.get(), first);
   EXPECT_LT(best->length(), before_others);
+  int longer = 0;  // than starts take: there the best one went on
+  for (std::size_t k = 1; k < begun_at_.size(); ++k) longer += begun_at_[k] > begun_at_[k - 1] + 2 * kShare ? 1 : 0;
+  EXPECT_GE(longer, 3);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
