@@ -35,7 +35,7 @@ namespace selvage::nesting {
 
 struct NestSettings {
   std::uint64_t moves{};    // budget of every search
-  std::size_t searches{1};  // independent ones; the best answer counts
+  std::size_t searches{1};  // the best answer counts; late in a time limit they go on from the best of all
   std::uint64_t seed{};
   bool turn{true};  // finally rotates pieces by small angles, where their shapes allow it (finish.h)
   layout::PlacedPiecesMay placed{layout::PlacedPiecesMay::kMove};

@@ -7,7 +7,7 @@ A program that uses spyrrow only has to replace `import spyrrow` with
 because items, instances, configurations and solutions have the same names, fields and units.  A running selvaged at
 `address` does the work.
 
-There are four differences.  `num_workers` is the number of independent searches, the best of which is returned; without it
+There are four differences.  `num_workers` is the number of searches, the best of which is returned; without it
 there are as many as the daemon has threads to spare.  `quadtree_depth` and `early_termination` are accepted and ignored.
 Exploration and compression share one budget, so only their sum matters.  There are no progress queues.
 
