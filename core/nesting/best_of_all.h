@@ -1,4 +1,4 @@
-// The best marker that the searches of one nesting have found so far, on any thread.
+// The best marker that the searches of one nesting have found so far.  They may run on any threads.
 #pragma once
 
 #include <mutex>
@@ -13,7 +13,7 @@ namespace selvage::nesting {
 
 class BestOfAll {
  public:
-  // Markers that are not shorter than `length` count as not better.
+  // Markers that are not shorter than `length` do not count.  REQUIRES: the observer outlives this.
   BestOfAll(const scene::Observer& observer, Coord length) : observer_{observer}, length_{length} {}
 
   // Reports the marker to the observer when it is better than all before.

@@ -123,8 +123,8 @@ void Exploration::take_over() {
   if (auto marker = shorter_(length_)) become_best(*std::move(marker));
 }
 
-// From one valid marker to another that is hardly longer than the best.  A step after which all
-// pieces lie where they were is not worth compacting.
+// From one valid marker to another that is hardly longer than the best.  A step after which all pieces lie where they
+// were is not worth compacting.
 void Exploration::walk(std::uint64_t end) {
   const double same = tuning_.same_place * set_->across();
   Marker at = best_;

@@ -14,22 +14,22 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
     if (!first) first = budget_.used(search.moves());
     return may_start(search.moves(), *first);
   });
-  bool gains = true;
+  bool best_goes_on = true;
   std::uint64_t before = 0;
   while (budget_.timed() && may_continue(best, search.moves()) && search.moves() > before) {
     before = search.moves();
-    if (gains) {
+    if (best_goes_on) {
       const auto length = static_cast<double>(best.exploration->length());
       double_moves(best);
-      gains = static_cast<double>(best.exploration->length()) < length * (1 - terms_.least_gain);
-      if (!gains) best.exploration->when_stalled(OnStall::kTakeTurns);
+      best_goes_on = static_cast<double>(best.exploration->length()) < length * (1 - terms_.least_gain);
+      if (!best_goes_on) best.exploration->when_stalled(OnStall::kTakeTurns);
     } else {
       const std::uint64_t until = before + moves_of(best);
       Runner other =
           best_of_starts(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
       if (other.exploration->length() < best.exploration->length()) std::swap(best, other);
       programs_ += other.exploration->programs();
-      gains = true;
+      best_goes_on = true;
     }
   }
   best.exploration->advance(std::numeric_limits<std::uint64_t>::max());

@@ -40,8 +40,8 @@ struct SearchCalls {
   // Called after every round without a layout, and again after `refutes`, which may have made a guess easier: a layout
   // that is found in another way, placed, ends the search.  Adds its own work.  Only where any layout will do.
   std::function<std::optional<Leaf>(Work&)> guess{};
-  // Called after that: true when it is proved in another way that there is no layout, which ends the search.  Sets
-  // `own` to its own work so far.  Only where any layout will do.
+  // Called after every round without a layout: true when it is proved in another way that there is none, which ends the
+  // search.  Sets `own` to its own work so far.  Only where any layout will do.
   std::function<bool(const Work& searched, Work& own)> refutes{};
   std::stop_token stop{};
   const Executor* executor = &serial();

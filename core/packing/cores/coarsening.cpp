@@ -96,15 +96,21 @@ class Coarsener {
         if (!flip || shape.may_flip) all.push_back(own.symmetry);
       }
     }
-    const bool keeps = !turns || all.size() < 2;
-    const Polygon core = keeps ? oriented(shape.outline, piece.orientation) : shape.outline;
-    if (keeps) all = {Symmetry{}};
+    Polygon core = shape.outline;
+    if (!turns || all.empty()) {
+      core = oriented(shape.outline, piece.orientation);
+      all = {Symmetry{}};
+    } else if (all.size() == 1) {
+      core = transformed(shape.outline, all.front());
+      all = {Symmetry{}};
+    }
     for (auto& [k, group] : groups_) {
       if (group.turns != all || group.core != core || group.buffer != piece.buffer) continue;
       group.pieces.push_back(number);
       return;
     }
-    groups_[next_++] = {{number}, std::move(all), core, area_of(core), piece.buffer, false};
+    const double area = area_of(core);
+    groups_[next_++] = {{number}, std::move(all), std::move(core), area, piece.buffer, false};
   }
 
   // Gives the group a core of all its orientations if it has this share.

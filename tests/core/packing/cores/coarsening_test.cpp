@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/packing/contain.h"
+#include "core/packing/cores/common_part.h"
 #include "tests/core/motion/markers.h"
 #include "tests/laws/random_marker.h"
 
@@ -67,6 +68,16 @@ TEST(Coarsened, WithoutTurnsPiecesKeepTheirOrientations) {
   const auto cores = coarsened(marker, {true, true, true}, false, 0.8);
   ASSERT_TRUE(cores);
   EXPECT_EQ(cores->pieces[2].shape, cores->pieces[0].shape);
+}
+
+// A piece that may only lie upside down is placed so, however it lies now.
+TEST(Coarsened, CoresOfPiecesWithOneOrientationLieInIt) {
+  Marker marker = three_cuffs();
+  for (Shape& shape : marker.shapes) shape.rotations = {Angle::of_degrees(180)};
+  const auto cores = coarsened(marker, kAll, true, 0.8);
+  ASSERT_TRUE(cores);
+  const Shape& core = cores->shapes[cores->pieces[0].shape.value];
+  EXPECT_TRUE(lies_within(core.outline, oriented(kCuff, {false, Angle::of_degrees(180), {}})));
 }
 
 // Where pieces fit, their cores do.
