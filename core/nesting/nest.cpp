@@ -174,7 +174,8 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
     best = begin(OnStall::kTakeTurns);
     best->advance(std::numeric_limits<std::uint64_t>::max());
   } else {
-    const Race::Terms terms{tuning.least_raced_moves, tuning.raced_moves, tuning.raced, tuning.raced_gain};
+    const Race::Terms terms{tuning.raced_moves, tuning.least_raced_in_time, tuning.most_raced_in_time, tuning.raced,
+                            tuning.raced_gain};
     Race race{begin, terms, budget};
     best = race.run(guided);
     searched.programs = race.programs();

@@ -19,12 +19,10 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
   while (budget_.timed() && may_continue(best, search.moves()) && search.moves() > before) {
     before = search.moves();
     if (best_goes_on) {
-      const auto length = static_cast<double>(best.exploration->length());
-      double_moves(best);
-      best_goes_on = static_cast<double>(best.exploration->length()) < length * (1 - terms_.least_gain);
+      best_goes_on = gains(best);
       if (!best_goes_on) best.exploration->when_stalled(OnStall::kTakeTurns);
     } else {
-      const std::uint64_t until = before + moves_of(best);
+      const std::uint64_t until = before + best.moves;
       Runner other =
           best_of_starts(search, [&] { return search.moves() < until && may_continue(best, search.moves()); });
       if (other.exploration->length() < best.exploration->length()) std::swap(best, other);
@@ -38,20 +36,20 @@ std::unique_ptr<Exploration> Race::run(const local_search::GuidedSearch& search)
 
 // Races one new start, and as many more as there may be.
 Race::Runner Race::best_of_starts(const local_search::GuidedSearch& search, const std::function<bool()>& another) {
-  std::vector<Runner> runners;  // shares fall from the first to the last
+  std::vector<Runner> runners;  // their moves fall from the first to the last
   std::uint64_t before = 0;     // moves, when the last start began
   do {
     before = search.moves();
     const bool no_longer_alone = starts_ == 1 && !runners.empty();
     if (no_longer_alone) runners.front().exploration->when_stalled(OnStall::kWalk);
     runners.push_back(start(search));
-    while (runners.size() > 1 && runners.end()[-2].shares == runners.back().shares) {
+    while (runners.size() > 1 && runners.end()[-2].moves == runners.back().moves) {
       Runner last = std::move(runners.back());
       runners.pop_back();
       Runner& winner = runners.back();
       if (last.exploration->length() < winner.exploration->length()) std::swap(last, winner);
       programs_ += last.exploration->programs();
-      double_moves(winner);
+      advance(winner, winner.moves);
     }
   } while (search.moves() > before && !runners.back().exploration->converged() && another());
   const auto best = std::min_element(runners.begin(), runners.end(), [](const Runner& a, const Runner& b) {
@@ -63,13 +61,24 @@ Race::Runner Race::best_of_starts(const local_search::GuidedSearch& search, cons
   return std::move(*best);
 }
 
+// Lets the best exploration make as many moves again as it has made, but not too many at a time.  True when it gains
+// enough to go on in the same way.
+bool Race::gains(Runner& best) const {
+  constexpr std::uint64_t kMostShares = 8;
+  const std::uint64_t moves = std::min(best.moves, kMostShares * share_);
+  const double part = static_cast<double>(moves) / static_cast<double>(best.moves);
+  const auto length = static_cast<double>(best.exploration->length());
+  advance(best, moves);
+  return static_cast<double>(best.exploration->length()) < length * (1 - part * terms_.least_gain);
+}
+
 // The moves that several starts can make in their part of the time, going by the moves that the first has made so far.
 std::uint64_t Race::share_in_time(std::uint64_t moves) const {
-  constexpr double kStarts = 8;
-  const double used = std::max(budget_.used(moves), std::numeric_limits<double>::min());
+  constexpr double kStarts = 6;
+  constexpr double kLeastUsed = 1e-9;  // of a clock that has not ticked yet
+  const double used = std::max(budget_.used(moves), kLeastUsed);
   const double share = static_cast<double>(moves) / used * terms_.raced / kStarts;
-  if (share >= static_cast<double>(terms_.most)) return terms_.most;
-  return std::max(terms_.least, static_cast<std::uint64_t>(share));
+  return std::clamp(static_cast<std::uint64_t>(share), terms_.least_in_time, terms_.most_in_time);
 }
 
 bool Race::may_start(std::uint64_t moves, double first) const {
@@ -83,11 +92,14 @@ bool Race::may_continue(const Runner& best, std::uint64_t moves) const {
 }
 
 Race::Runner Race::start(const local_search::GuidedSearch& search) {
-  const bool first = starts_ == 0;
-  Runner runner{begin_(next_on_stall()), 1};
+  Runner runner{begin_(next_on_stall()), 0};
   ++starts_;
-  if (first && budget_.timed()) share_ = share_in_time(search.moves());
-  runner.exploration->advance(share_);
+  if (starts_ == 1 && budget_.timed()) {
+    // Until it has made some moves, most of the time was spent on the pieces' maps, and shares would be too small.
+    advance(runner, terms_.least_in_time);
+    share_ = share_in_time(search.moves());
+  }
+  advance(runner, share_ - runner.moves);
   return runner;
 }
 
@@ -96,10 +108,9 @@ OnStall Race::next_on_stall() const {
   return starts_ % 2 == 0 ? OnStall::kWalk : OnStall::kAttempt;
 }
 
-// Lets it make as many moves again as it has made.
-void Race::double_moves(Runner& runner) const {
-  runner.exploration->advance(moves_of(runner));
-  runner.shares *= 2;
+void Race::advance(Runner& runner, std::uint64_t moves) {
+  runner.exploration->advance(moves);
+  runner.moves += moves;
 }
 
 }  // namespace selvage::nesting

@@ -9,12 +9,11 @@
 //         drop the one with the longer marker, and let the other make as many moves again
 //
 // With a limit on moves, what a race does next does not depend on the limit.  With a time limit, a part of the time is
-// spent on starts, whose share of moves is reduced where that leaves time for more of them.  Then the best exploration
-// goes on:
+// spent on starts, and the first share is what several of them can make in it.  Then the best exploration goes on:
 //
-//     repeat: let the best exploration make as many moves again as it has made
-//       if that has hardly shortened its marker: let it take turns from now on, and race new starts for as many moves,
-//       of which a better one takes its place
+//     repeat: let the best exploration make as many moves again as it has made, but not too many
+//       if that has hardly shortened its marker: let it take turns from now on, and race new starts for as many moves
+//       as it has made, of which a better one takes its place
 //
 // Whether a stalled search gains more by walks or by attempts (exploration.h) depends on the pieces.  So of two starts,
 // one walks and the other attempts.  The first one takes turns as long as there is no other, and so does the best one
@@ -37,13 +36,14 @@ class Race {
   using Begin = std::function<std::unique_ptr<Exploration>(OnStall)>;
 
   struct Terms {
-    std::uint64_t least{}, most{};  // moves of a start before it is compared: `most`; with a time limit maybe fewer
-    double raced{};                 // part of a time limit that is spent on starts at first
-    double least_gain{};            // the best exploration goes on while doubling its moves gains more than this part
+    std::uint64_t share{};                          // moves of a start before it is compared, with a limit on moves
+    std::uint64_t least_in_time{}, most_in_time{};  // the same with a time limit, at least and at most
+    double raced{};                                 // part of a time limit that is spent on starts at first
+    double least_gain{};  // the best exploration goes on while doubling its moves would gain more than this part
   };
 
   Race(Begin begin, Terms terms, const Budget& budget)
-      : begin_{std::move(begin)}, terms_{terms}, share_{terms.most}, budget_{budget} {}
+      : begin_{std::move(begin)}, terms_{terms}, share_{terms.share}, budget_{budget} {}
 
   // Returns the best exploration.
   [[nodiscard]] std::unique_ptr<Exploration> run(const local_search::GuidedSearch& search);
@@ -53,16 +53,14 @@ class Race {
  private:
   struct Runner {
     std::unique_ptr<Exploration> exploration;
-    int shares{};  // of moves that it has made: a power of two
+    std::uint64_t moves{};  // that it was to make: in a race a share times a power of two
   };
 
   [[nodiscard]] Runner best_of_starts(const local_search::GuidedSearch& search, const std::function<bool()>& another);
   [[nodiscard]] Runner start(const local_search::GuidedSearch& search);
   [[nodiscard]] OnStall next_on_stall() const;
-  void double_moves(Runner& runner) const;
-  [[nodiscard]] std::uint64_t moves_of(const Runner& runner) const {
-    return share_ * static_cast<std::uint64_t>(runner.shares);
-  }
+  [[nodiscard]] bool gains(Runner& best) const;
+  static void advance(Runner& runner, std::uint64_t moves);
   [[nodiscard]] std::uint64_t share_in_time(std::uint64_t moves) const;
   [[nodiscard]] bool may_start(std::uint64_t moves, double first) const;
   [[nodiscard]] bool may_continue(const Runner& best, std::uint64_t moves) const;

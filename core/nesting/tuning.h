@@ -34,11 +34,13 @@ struct NestTuning {
   std::uint64_t moves_in_vain{std::numeric_limits<std::uint64_t>::max()};
   double least_gain{0};
   std::uint64_t first_epoch{2'000};  // moves of the first exploration with its compression; later ones double it
-  // A start makes this many moves before it is compared with another one (race.h), fewer when time is short.  With a
-  // time limit, new starts are made until this part of it is used up, and later when the best one has gained no more
-  // than this part of its length while it made as many moves again.
-  std::uint64_t raced_moves{200'000}, least_raced_moves{20'000};
-  double raced{0.25}, raced_gain{0.001};
+  // A start makes this many moves before it is compared with another one (race.h).
+  std::uint64_t raced_moves{200'000};
+  // With a time limit it makes as many as several starts can make in this part of it, within these bounds.  Later, new
+  // starts are made when the best one, while it made as many moves again, gained no more than this part of its length.
+  double raced{0.25};
+  std::uint64_t least_raced_in_time{20'000}, most_raced_in_time{60'000};
+  double raced_gain{0.001};
   double shared{0.5};  // part of a time limit after which searches go on from the best marker of all
   // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
   // of them lie on it: when their area is less than the cloth's, and when it is not.

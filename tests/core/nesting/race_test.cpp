@@ -24,7 +24,7 @@ class Races : public test::Explorations {
       if (begun_at_.size() == kTooMany) stop_.request_stop();
       return begun(on_stall, budget, tuning);
     };
-    return Race{begin, {kShare / 2, kShare, raced, 0}, budget}.run(guided_);
+    return Race{begin, {kShare, kShare / 2, 4 * kShare, raced, 0}, budget}.run(guided_);
   }
 
   std::vector<std::uint64_t> begun_at_;  // the moves before each start
@@ -62,25 +62,22 @@ TEST_F(Races, InTimeTheBestTakesTurnsAndGoesOnOnceItHardlyGains) {
   tuning.turn_moves = 5 * kShare;
   NestTuning in_vain = tuning;
   in_vain.first_step = in_vain.least_step = 0.5;
-  constexpr std::uint64_t kAll = 400 * kShare;
+  constexpr std::uint64_t kAll = 200 * kShare;
   const auto elapsed = [&] { return static_cast<double>(guided_.moves()) / kAll; };
   const Budget budget{1'000'000, elapsed, {}, tuning.explored, 40};
   const Exploration* first = nullptr;
   Coord before_others = 0;
   const auto begin = [&](OnStall) {
-    begun_at_.push_back(guided_.moves());
     if (first && before_others == 0) before_others = first->length();
     auto walk = begun(OnStall::kWalk, budget, first ? in_vain : tuning);
     if (!first) first = walk.get();
     return walk;
   };
   constexpr double kAllOfIt = 1;  // less than that is hardly a gain
-  const auto best = Race{begin, {kShare / 2, kShare, 0, kAllOfIt}, budget}.run(guided_);
+  constexpr std::uint64_t kFirst = 5 * kShare;
+  const auto best = Race{begin, {kShare, kFirst, kFirst, 0, kAllOfIt}, budget}.run(guided_);
   EXPECT_EQ(best.get(), first);
   EXPECT_LT(best->length(), before_others);
-  std::uint64_t longest = 0;  // moves between two starts: those of the best one, as it goes on
-  for (std::size_t k = 1; k < begun_at_.size(); ++k) longest = std::max(longest, begun_at_[k] - begun_at_[k - 1]);
-  EXPECT_GT(longest, kAll / 10);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
@@ -90,6 +87,16 @@ TEST_F(Races, TheShorterOfTwoMakesAsManyMovesAgain) {
   ASSERT_GE(begun_at_.size(), 3U);
   EXPECT_GE(begun_at_[1], kShare);
   EXPECT_GE(begun_at_[2], begun_at_[1] + 2 * kShare);
+}
+
+// Making the first layout takes a hundredth of the time and hardly any moves.
+TEST_F(Races, InTimeTheFirstShareIsMeasuredAfterSomeMoves) {
+  const auto elapsed = [this] { return 0.01 + static_cast<double>(guided_.moves()) / (100 * kShare); };
+  constexpr double kRaced = 0.5;
+  (void)race({1'000'000, elapsed, {}, 0.8, 40}, kRaced);
+  ASSERT_GE(begun_at_.size(), 2U);
+  constexpr double kSome = kShare / 2;  // moves, after which it is measured
+  EXPECT_GE(static_cast<double>(begun_at_[1]), kSome / (0.01 + kSome / (100 * kShare)) * kRaced / 6);
 }
 
 // The pieces are so few that the best start soon gains no more: then others follow, until exploration ends.
