@@ -61,8 +61,8 @@ Race::Runner Race::best_of_starts(const local_search::GuidedSearch& search, cons
   return std::move(*best);
 }
 
-// Lets the best exploration make as many moves again as it has made, but not too many at a time.  True when it gains
-// enough to go on in the same way.
+// Lets the best exploration make as many moves again as it has made, at most eight shares.  True when it gains enough
+// to go on in the same way: where it makes a part of its moves again, that part of the gain is enough.
 bool Race::gains(Runner& best) const {
   constexpr std::uint64_t kMostShares = 8;
   const std::uint64_t moves = std::min(best.moves, kMostShares * share_);

@@ -11,7 +11,7 @@
 // With a limit on moves, what a race does next does not depend on the limit.  With a time limit, a part of the time is
 // spent on starts, and the first share is what several of them can make in it.  Then the best exploration goes on:
 //
-//     repeat: let the best exploration make as many moves again as it has made, but not too many
+//     repeat: let the best exploration make as many moves again as it has made, at most eight shares
 //       if that has hardly shortened its marker: let it take turns from now on, and race new starts for as many moves
 //       as it has made, of which a better one takes its place
 //

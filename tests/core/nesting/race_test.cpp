@@ -62,12 +62,13 @@ TEST_F(Races, InTimeTheBestTakesTurnsAndGoesOnOnceItHardlyGains) {
   tuning.turn_moves = 5 * kShare;
   NestTuning in_vain = tuning;
   in_vain.first_step = in_vain.least_step = 0.5;
-  constexpr std::uint64_t kAll = 200 * kShare;
+  constexpr std::uint64_t kAll = 400 * kShare;
   const auto elapsed = [&] { return static_cast<double>(guided_.moves()) / kAll; };
   const Budget budget{1'000'000, elapsed, {}, tuning.explored, 40};
   const Exploration* first = nullptr;
   Coord before_others = 0;
   const auto begin = [&](OnStall) {
+    begun_at_.push_back(guided_.moves());
     if (first && before_others == 0) before_others = first->length();
     auto walk = begun(OnStall::kWalk, budget, first ? in_vain : tuning);
     if (!first) first = walk.get();
@@ -78,6 +79,9 @@ TEST_F(Races, InTimeTheBestTakesTurnsAndGoesOnOnceItHardlyGains) {
   const auto best = Race{begin, {kShare, kFirst, kFirst, 0, kAllOfIt}, budget}.run(guided_);
   EXPECT_EQ(best.get(), first);
   EXPECT_LT(best->length(), before_others);
+  std::uint64_t longest = 0;  // moves between two starts: those of the best one, as it goes on
+  for (std::size_t k = 1; k < begun_at_.size(); ++k) longest = std::max(longest, begun_at_[k] - begun_at_[k - 1]);
+  EXPECT_GT(longest, kAll / 10);
 }
 
 // A start, and what is compared after it, make at least one share of moves: two after every second one.
