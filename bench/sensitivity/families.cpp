@@ -72,19 +72,21 @@ Family compaction_family() {
                 "% of the width and separated",
                 loosened,
                 {}};
-  family.constants =
-      constants_of<CompactionTuning, CompactionSettings>(settings,
-                                                         {{"trust_ahead", &CompactionTuning::trust_ahead},
-                                                          {"least_trust", &CompactionTuning::least_trust},
-                                                          {"most_near_pairs", &CompactionTuning::most_near_pairs},
-                                                          {"long_from", &CompactionTuning::long_from},
-                                                          {"little", &CompactionTuning::little},
-                                                          {"touching", &CompactionTuning::touching},
-                                                          {"loose_below", &CompactionTuning::loose_below},
-                                                          {"worth_a_sweep", &CompactionTuning::worth_a_sweep},
-                                                          {"sweeps", &CompactionTuning::sweeps},
-                                                          {"most_pieces_swept", &CompactionTuning::most_pieces_swept}},
-                                                         own_tuning<CompactionTuning, CompactionSettings>, compacted);
+  family.constants = constants_of<CompactionTuning, CompactionSettings>(
+      settings,
+      {{"trust_ahead", &CompactionTuning::trust_ahead},
+       {"least_trust", &CompactionTuning::least_trust},
+       {"most_near_pairs", &CompactionTuning::most_near_pairs},
+       {"long_from", &CompactionTuning::long_from},
+       {"little", &CompactionTuning::little},
+       {"touching", &CompactionTuning::touching},
+       {"loose_below", &CompactionTuning::loose_below},
+       {"worth_a_sweep", &CompactionTuning::worth_a_sweep},
+       {"sweeps", &CompactionTuning::sweeps},
+       {"most_pieces_repeated", &CompactionTuning::most_pieces_repeated},
+       {"repeated_in_vain", &CompactionTuning::repeated_in_vain},
+       {"most_pieces_swept", &CompactionTuning::most_pieces_swept}},
+      own_tuning<CompactionTuning, CompactionSettings>, compacted);
   const auto of_steps = constants_of<StepTuning, CompactionSettings>(
       settings,
       {{"step.programs", &StepTuning::programs},

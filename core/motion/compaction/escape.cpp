@@ -59,6 +59,10 @@ class Escape {
   const scene::Run quiet_;  // reports nothing: a turn is reported as one round, when it has ended
 };
 
+bool is_loose(const scene::Scene& scene, const CompactionSettings& settings) {
+  return marker::utilisation_at(scene.marker, scene.pieces.length()) < settings.tuning.loose_below;
+}
+
 bool nothing_moves(const scene::Scene& scene) {
   for (std::size_t k = 0; k < scene.pieces.size(); ++k) {
     if (!scene.fixed(k)) return false;
@@ -66,10 +70,9 @@ bool nothing_moves(const scene::Scene& scene) {
   return true;
 }
 
-}  // namespace
-
-Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
-                 const scene::Run& run) {
+// Rounds and sweeps as escape.h describes them, once.
+Progress shorten_once(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
+                      const scene::Run& run) {
   const Escape escape{goal, settings, run};
   if (settings.rounds > 0) {
     const double near = first_trust(scene, settings) * static_cast<double>(scene.marker.strip.width);
@@ -82,8 +85,7 @@ Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSe
       nothing_moves(scene)) {
     return progress;
   }
-  const double used = marker::utilisation_at(scene.marker, scene.pieces.length());
-  const bool loose = used < settings.tuning.loose_below;
+  const bool loose = is_loose(scene, settings);
   const bool stuck = !progress.firm && !escape.is_worth(start_length, scene.pieces.length());
   if (loose || stuck) escape.take_turns(scene, progress);
   if (!escape.may_go_on(progress) || !(loose || scene.pieces.size() <= kFewPieces)) return progress;
@@ -105,6 +107,52 @@ Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSe
     run.observer.on_round({other.rounds, scene.pieces.length()});
   }
   return other;
+}
+
+bool may_repeat(const scene::Scene& scene, const CompactionSettings& settings) {
+  return scene.pieces.size() <= kFewPieces ||
+         (scene.pieces.size() <= settings.tuning.most_pieces_repeated && is_loose(scene, settings));
+}
+
+// Shortens again, from wherever the pieces lie each time, until several times in a row nothing is gained or no piece
+// moves.
+void repeat(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings, const scene::Run& run,
+            Progress& progress) {
+  const scene::Run quiet = run.quiet();
+  const Escape escape{goal, settings, quiet};
+  std::vector<Vec> reached = scene.pieces.positions();
+  Coord length = scene.pieces.length();
+  bool moved = true;
+  for (int in_vain = 0; in_vain < settings.tuning.repeated_in_vain && moved && escape.may_go_on(progress);) {
+    const std::vector<Vec> before = scene.pieces.positions();
+    CompactionSettings rest = settings;
+    rest.rounds = settings.rounds - progress.rounds;
+    const Progress again = shorten_once(scene, goal, rest, quiet);
+    moved = scene.pieces.positions() != before;
+    if (escape.is_worth(length, scene.pieces.length())) {
+      in_vain = 0;
+      reached = scene.pieces.positions();
+      length = scene.pieces.length();
+      progress += again;
+      run.observer.on_round({progress.rounds, length});
+    } else {
+      ++in_vain;
+      progress.programs += again.programs;
+      if (run.stopped()) progress.reason = scene::StopReason::kCancelled;
+    }
+  }
+  scene.pieces.place(reached);
+}
+
+}  // namespace
+
+Progress shorten(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings,
+                 const scene::Run& run) {
+  const std::vector<Vec> start = scene.pieces.positions();
+  Progress progress = shorten_once(scene, goal, settings, run);
+  const bool moved = scene.pieces.positions() != start;
+  if (settings.sweeps && moved && may_repeat(scene, settings)) repeat(scene, goal, settings, run, progress);
+  return progress;
 }
 
 }  // namespace selvage::motion::compaction

@@ -12,6 +12,10 @@
 //     shorter than the rounds did, which is rare.
 // A tight marker of more pieces that the rounds shorten, or that they leave at firm contacts only, needs none of them.
 // A turn of sweeps counts as one round, except where (3) gains nothing.
+//
+// All of this starts from where the pieces lay.  From where they end, programs that look farther again and other sweeps
+// may find another way.  So a marker of few pieces, and a loose one of not too many, is compacted again and again until
+// that gains nothing.  What gains nothing is taken back, and counts no rounds.
 #pragma once
 
 #include <cstddef>

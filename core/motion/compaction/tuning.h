@@ -22,7 +22,9 @@ struct CompactionTuning {
   double worth_a_sweep{5e-5};  // part of the length: sweeps and rounds that gain less together are the last
   std::size_t many_loose{64};  // gaps that at least this many pieces lie behind are closed first (core/motion/closing)
   int sweeps{200};             // single-piece sweeps at a time, at most
-  std::size_t most_pieces_swept{5000};  // markers with more pieces are not swept, because it would take too long
+  std::size_t most_pieces_repeated{400};  // loose markers with more pieces are compacted once (escape.h)
+  int repeated_in_vain{3};                // a marker is compacted again until this many times in a row gain nothing
+  std::size_t most_pieces_swept{5000};    // markers with more pieces are not swept, because it would take too long
   sections::SectionTuning sections{};
   int hard_round{3};  // a round that solves this many programs is hard: sections take less time than more of them
   double section_gain{3e-3};  // part of the width: the rounds of a section end with the first one that gains less

@@ -9,7 +9,8 @@ namespace selvage::nesting::filling {
 std::optional<motion::compaction::Compaction> proved(const Marker& marker, int separation_rounds,
                                                      const scene::Run& run) {
   namespace compaction = motion::compaction;
-  const auto settings = compaction_settings(compaction::Accuracy::kStandard);
+  auto settings = compaction_settings(compaction::Accuracy::kStandard);
+  settings.tuning.repeated_in_vain = 0;  // the search goes on from here anyway
   const scene::Run quiet = run.quiet();
   auto compacted = compact(marker, settings, quiet);
   if (compacted) return *std::move(compacted);

@@ -1,10 +1,11 @@
 // The soak of compaction's laws: compacts random loose markers and compares the answers with those of sweeps of single
 // pieces, of a second compaction and of bumps (laws.h).
 //
-// usage: compaction_soak [MARKERS] [SEED] [--pieces N] [--threads N]
+// usage: compaction_soak [MARKERS] [SEED] [--pieces N] [--threads N] [--gains]
 //
 // Marker k is made from the seed SEED + k, so `compaction_soak 1 SEED` replays one of them.  Prints every fault with
-// its seed, and the measured rates.  Exit status: 0 no fault; 1 faults.
+// its seed, with --gains also the seed of every marker that gains more, and the measured rates.  Exit status: 0 no
+// fault; 1 faults.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
@@ -37,8 +38,8 @@ struct Rate {
 
 class CompactionSoak {
  public:
-  CompactionSoak(std::uint64_t first, std::uint64_t markers, std::uint32_t most_pieces)
-      : next_{first}, end_{first + markers}, most_pieces_{most_pieces} {}
+  CompactionSoak(std::uint64_t first, std::uint64_t markers, std::uint32_t most_pieces, bool prints_gains)
+      : next_{first}, end_{first + markers}, most_pieces_{most_pieces}, prints_gains_{prints_gains} {}
 
   // Judges markers until there are no more; called by every thread.
   void run() {
@@ -50,6 +51,10 @@ class CompactionSoak {
       beyond_sweeps_.add(verdict.beyond_sweeps);
       second_gain_.add(verdict.second_gain);
       after_bump_.add(verdict.after_bump);
+      if (prints_gains_ && std::max(verdict.second_gain, verdict.after_bump) > kSignificant) {
+        std::cout << "seed " << seed << ": a second compaction gains " << 100 * verdict.second_gain
+                  << " %, a bump and a compaction " << 100 * verdict.after_bump << " %" << std::endl;
+      }
       if (!verdict.fault.empty()) report(seed, marker, verdict);
     }
   }
@@ -80,6 +85,7 @@ class CompactionSoak {
   std::atomic<std::uint64_t> next_;
   const std::uint64_t end_;
   const std::uint32_t most_pieces_;
+  const bool prints_gains_;
   SumCache sums_{kCacheBytes};
   std::mutex mutex_;
   Rate beyond_sweeps_, second_gain_, after_bump_;
@@ -101,9 +107,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(2U, 5000U))
       ->capture_default_str();
   app.add_option("--threads", threads, "Number of threads")->check(CLI::Range(1U, 256U));
+  bool gains = false;
+  app.add_flag("--gains", gains, "Print the seed of every marker that gains more");
   CLI11_PARSE(app, argc, argv);
 
-  selvage::test::CompactionSoak soak{seed, markers, pieces};
+  selvage::test::CompactionSoak soak{seed, markers, pieces, gains};
   {
     std::vector<std::jthread> sharing;
     for (unsigned k = 0; k < threads; ++k) sharing.emplace_back([&soak] { soak.run(); });
