@@ -3,8 +3,8 @@
 // A round's program keeps each pair in one convex part of the free space around it.  Where the pieces touch at corners,
 // or a half-plane's line holds them beyond the edge it belongs to, another part would let them pass; to choose the best
 // is NP-hard [Li94 8.1].  Sweeps of single-piece moves (core/motion/piece/sweep.h) choose a part for every piece and
-// every step.  They are used in three ways: (1) In a loose marker, or when the rounds gain next to nothing and end at
-// contacts that may not be real
+// every step.  They are used in three ways:
+// (1) In a loose marker, or when the rounds gain next to nothing and end at contacts that may not be real
 //     (core/model/contacts/contact.h), sweeps and rounds alternate while both together still gain.
 // (2) In a loose marker, where pieces travel far and the way decides where they end, the sweeps also start from where
 //     the rounds started, rounds follow, and the shorter answer is kept.
