@@ -29,7 +29,8 @@ class Aligner {
   }
   // Moves the piece along the axis towards the line, unless no position on the way is free.
   void move(PieceId piece, Coord line) {
-    const Coord missing = line - side_of(piece);
+    Coord missing = line - side_of(piece);
+    if (upright_) missing = std::min(missing, room_behind(piece));
     if (missing == 0) return;
     const model::Ties ties = scene_.ties;
     hold_other_axis(piece);
@@ -45,6 +46,14 @@ class Aligner {
 
  private:
   [[nodiscard]] Vec along(Coord distance) const { return upright_ ? Vec{distance, 0} : Vec{0, distance}; }
+  // How far the piece and its group may move to the right within the marker's length, where the cloth ends later.
+  [[nodiscard]] Coord room_behind(PieceId piece) const {
+    Coord end = scene_.pieces.box(piece.value).high.x;
+    for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {
+      if (scene_.ties.joined(i, piece.value)) end = std::max(end, scene_.pieces.box(i).high.x);
+    }
+    return scene_.pieces.length() - end;
+  }
   // Holds the pieces of its group, too, so that they remain tied to each other.
   void hold_other_axis(PieceId piece) {
     const model::Ties free = scene_.ties;

@@ -75,6 +75,16 @@ TEST(Align, MovesGroupsWholeAndLeavesLockedPieces) {
   EXPECT_EQ(locked.marker.pieces[1], marker.pieces[1]);
 }
 
+// The cloth goes on behind the marker, and the other piece of the group lies at the marker's end.
+TEST(Align, DoesNotLengthenAMarkerWhoseClothEndsLater) {
+  Marker marker = stair();
+  marker.strip.longest = 1000;
+  marker.pieces[0].group = marker.pieces[1].group = "g";
+  const Alignment done = aligned(marker, {{0}, {2}}, StripEdge::kRight);
+  EXPECT_EQ(done.length_after, 500);
+  EXPECT_EQ(done.aligned, 1U);
+}
+
 TEST(Align, RepeatedChangesNothing) {
   const Alignment once = aligned(stair(), {{0}, {1}, {2}}, StripEdge::kTop);
   EXPECT_EQ(aligned(once.marker, {{0}, {1}, {2}}, StripEdge::kTop).marker, once.marker);
