@@ -114,8 +114,8 @@ bool may_repeat(const scene::Scene& scene, const CompactionSettings& settings) {
          (scene.pieces.size() <= settings.tuning.most_pieces_repeated && is_loose(scene, settings));
 }
 
-// Shortens again, from wherever the pieces lie each time, until several times in a row nothing is gained or no piece
-// moves.
+// Each time starts from where the last one has left the pieces, even if that gained nothing: the way may lead through
+// places from which a later one gains.
 void repeat(scene::Scene& scene, const step::Goal& goal, const CompactionSettings& settings, const scene::Run& run,
             Progress& progress) {
   const scene::Run quiet = run.quiet();

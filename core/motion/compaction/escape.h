@@ -13,9 +13,10 @@
 // A tight marker of more pieces that the rounds shorten, or that they leave at firm contacts only, needs none of them.
 // A turn of sweeps counts as one round, except where (3) gains nothing.
 //
-// All of this starts from where the pieces lay.  From where they end, programs that look farther again and other sweeps
-// may find another way.  So a marker of few pieces, and a loose one of not too many, is compacted again and again until
-// that gains nothing.  What gains nothing is taken back, and counts no rounds.
+// All of this starts from where the pieces were given.  From where they end up, programs with the full trust radius and
+// new sweeps may find another way.  So a marker of few pieces, and a loose one of not too many (CompactionTuning), is
+// compacted again from there, until several times in a row nothing is gained or no piece moves.  Compactions that gain
+// nothing are undone: they count as programs, but not as rounds.
 #pragma once
 
 #include <cstddef>

@@ -46,7 +46,8 @@ class Aligner {
 
  private:
   [[nodiscard]] Vec along(Coord distance) const { return upright_ ? Vec{distance, 0} : Vec{0, distance}; }
-  // How far the piece and its group may move to the right within the marker's length, where the cloth ends later.
+  // How far the piece and its group may move to the right without lengthening the marker, behind which the cloth may
+  // go on.
   [[nodiscard]] Coord room_behind(PieceId piece) const {
     Coord end = scene_.pieces.box(piece.value).high.x;
     for (std::size_t i = 0; i < scene_.pieces.size(); ++i) {

@@ -89,7 +89,7 @@ TEST(Escape, IsNeverLongerThanSweepsOfFewPieces) {
   }
 }
 
-// Stars and combs in columns of so many, none of them in contact; `shift` makes the gaps unequal.
+// Stars and combs, each column with `rows` of them and no two in contact; `shift` makes the gaps unequal.
 Marker loose_stars_and_combs(int pieces, int rows, int shift) {
   Layout layout{rows * 300'000};
   const auto star = layout.shape_of(gear(3, 100'000, 60'000));
@@ -108,8 +108,8 @@ TEST(Escape, IsNotLongerThanSweepsOfHundredsOfLoosePieces) {
   EXPECT_LE(escaped(marker).length_after, swept(marker));
 }
 
-// A second compaction used to gain 2 to 27 per cent.  With 24 pieces and shift 58, one gains nothing before the next
-// one does.
+// A second compaction used to shorten all but one of these, by 2 to 27 per cent.  In that of 24 pieces and shift 58, a
+// compaction gains nothing, and the one after it does.
 TEST(Escape, CompactingLoosePiecesAgainGainsNothing) {
   struct Loose {
     int pieces, rows, shift;
