@@ -73,6 +73,9 @@ std::vector<Orientation> orientations_of(const Shape& shape, const Orientation& 
     if (flip && !shape.may_flip) continue;
     for (const Angle rotation : rotations) all.push_back({flip, rotation, tilt});
   }
+  std::ranges::stable_partition(all, [&slot](const Orientation& orientation) {
+    return without_tilt(orientation) == without_tilt(slot);
+  });
   return all;
 }
 

@@ -33,6 +33,8 @@ struct Slot {
 
 // The orientations in which a piece of the shape is tried in a slot: all rotations and flips that the shape allows,
 // with the slot's tilt where it allows that.  A shape that may turn freely tries the slot's rotation and quarter turns.
+// The slot's own orientation comes first, if it is among them: of those that look the same, a piece takes this one,
+// since others would be rounded to the lattice in another way.
 [[nodiscard]] std::vector<Orientation> orientations_of(const Shape& shape, const Orientation& slot);
 
 struct Fit {
@@ -45,7 +47,7 @@ class FitTable {
  public:
   FitTable(const Marker& order, std::span<const Slot> slots);
 
-  // One for each orientation of the shape, the cheapest first.
+  // One for each orientation of the shape, the cheapest first; of equally cheap ones, the slot's own first.
   [[nodiscard]] std::vector<Fit> all(ShapeId shape, std::size_t slot) const;
   [[nodiscard]] Fit best(ShapeId shape, std::size_t slot) const;
   [[nodiscard]] double slot_area(std::size_t slot) const { return kinds_[slots_[slot].kind].area; }

@@ -47,11 +47,8 @@ std::optional<Found> found_in(const Marker& marker, Piece piece, const Orientati
 std::optional<Found> best_of(const Marker& marker, const Piece& piece, const Homes& homes, const scene::Run& run) {
   const auto home = homes.find(piece.id);
   const Orientation own = home == homes.end() ? piece.orientation : home->second.orientation;
-  std::vector<Orientation> orientations = matching::orientations_of(marker.shapes[piece.shape.value], own);
-  const auto first = std::find(orientations.begin(), orientations.end(), own);
-  if (first != orientations.end()) std::rotate(orientations.begin(), first, first + 1);
   std::optional<Found> best;
-  for (const Orientation& orientation : orientations) {
+  for (const Orientation& orientation : matching::orientations_of(marker.shapes[piece.shape.value], own)) {
     auto found = found_in(marker, piece, orientation, homes, run);
     if (!found) continue;
     if (!best || std::pair{found->end, found->distance} < std::pair{best->end, best->distance}) best = std::move(found);

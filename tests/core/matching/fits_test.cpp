@@ -49,5 +49,28 @@ TEST(Fits, TiltsAreAdoptedAtNoCost) {
   }
 }
 
+// A rectangle looks the same when it is flipped or turned by half a circle, but its tilted outline is rounded
+// otherwise.
+TEST(Fits, PiecesThatLookTheSameInSeveralOrientationsKeepTheirOwn) {
+  Marker marker;
+  Shape& shape = marker.shapes.emplace_back();
+  shape.outline = {{0, 0}, {241, 0}, {241, 439}, {0, 439}};
+  shape.may_flip = true;
+  shape.tilt_limit = Angle{3};
+  for (const std::vector<Angle>& rotations :
+       {std::vector<Angle>{}, std::vector{Angle{0}, Angle{90}, Angle{180}, Angle{270}}}) {
+    shape.rotations = rotations;
+    std::vector<Slot> slots;
+    for (const bool flip : {false, true}) {
+      for (const double rotation : {0, 90, 180, 270}) {
+        slots.push_back(slot_of(shape, {flip, Angle{rotation}, Angle{2.9}}, {}));
+      }
+    }
+    const FitTable table{marker, slots};
+    for (std::size_t k = 0; k < slots.size(); ++k)
+      EXPECT_EQ(table.best(ShapeId{0}, k).orientation, slots[k].orientation);
+  }
+}
+
 }  // namespace
 }  // namespace selvage::matching
