@@ -17,11 +17,9 @@
 namespace selvage::packing {
 namespace {
 
-constexpr double kLeastGap = 8;                  // lattice units: rounding lengthens a layout by about as much
-constexpr double kFirstStep = 0.02;              // the first ceiling above the area's bound, a part of it
-constexpr double kLaterSteps = 0.05;             // each further ceiling above the last
-constexpr std::uint64_t kBriefNodes = 5'000;     // of a search that needs more, the best layout is nested first
-constexpr std::uint64_t kMovesOfAPiece = 1'000;  // the budget of that nesting
+constexpr double kLeastGap = 8;       // lattice units: rounding lengthens a layout by about as much
+constexpr double kFirstStep = 0.02;   // the first ceiling above the area's bound, a part of it
+constexpr double kLaterSteps = 0.05;  // each further ceiling above the last
 
 class Packer {
  public:
@@ -29,7 +27,8 @@ class Packer {
       : start_{start},
         settings_{settings},
         run_{run},
-        gap_{std::max(kLeastGap, settings.gap * static_cast<double>(start.strip.width))} {}
+        gap_{std::max(kLeastGap, settings.gap * static_cast<double>(start.strip.width))},
+        next_nesting_{settings.interruptions.first} {}
 
   Packing pack() {
     const marker::PlacedPieces pieces{start_};
@@ -40,7 +39,7 @@ class Packer {
       compact_first();
     }
     const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
-    const double longest = best_ ? static_cast<double>(packing_.length_after) - gap_ : limit;
+    const double longest = best_ ? shorter_than_best() : limit;
     bodies::Bodies bodies = bodies_of(start_, freedom(longest), run_);
     double bound = static_cast<double>(least_length(bodies, pieces));
     bodies.problem.minimises_length = true;
@@ -91,16 +90,9 @@ class Packer {
     packing_.reason = scene::StopReason::kConverged;
     while (bound < longest && packing_.reason == scene::StopReason::kConverged) {
       const double ceiling = std::min(longest, std::ceil(bound * (1 + step)) + 1);
-      const bool brief = !nested_ && settings_.limits.nodes > kBriefNodes;
-      const auto outcome = search_below(bodies, bound, ceiling, brief ? kBriefNodes : settings_.limits.nodes);
+      const auto outcome = search_below(bodies, bound, ceiling);
       bound = std::max(bound, std::min(outcome.bound, ceiling));
-      const bool interrupted = brief && packing_.work.nodes >= kBriefNodes && !run_.stopped();
-      if (interrupted) nest_best();
-      if (best_) longest = std::min(longest, static_cast<double>(packing_.length_after) - gap_);
-      if (interrupted && outcome.end == branching::SearchEnd::kWorkLimit) {
-        packing_.reason = scene::StopReason::kConverged;
-        continue;
-      }
+      if (best_) longest = std::min(longest, shorter_than_best());
       if (outcome.bound < ceiling) break;
       step = kLaterSteps;
     }
@@ -117,20 +109,29 @@ class Packer {
     if (first && (!best_ || length_of(*first) < packing_.length_after)) keep(*std::move(first));
   }
 
-  // A shorter layout to beat, from the best that is known: without one, a search that does not end has nothing to show.
-  void nest_best() {
-    nested_ = true;
-    compact_first();
-    // Nesting chooses among all orientations of a shape, without a tilt; the search may not have that choice.
-    const auto same_choice = [this](const Piece& piece) {
+  // Where nesting chooses among the same orientations as the search: all that a shape lists, without a tilt.
+  [[nodiscard]] bool may_nest() const {
+    return std::ranges::all_of(start_.pieces, [this](const Piece& piece) {
       const Shape& shape = start_.shapes[piece.shape.value];
       const bool listed = settings_.turns ? !shape.rotations.empty() : shape.rotations.size() == 1 && !shape.may_flip;
       return listed && piece.orientation.tilt == Angle{};
-    };
-    if (!best_ || !std::ranges::all_of(start_.pieces, same_choice)) return;
+    });
+  }
+
+  // A shorter layout to beat: without one, a search that does not end has nothing to show.  By turns from the best that
+  // is known and from nothing, because neither is better in general.
+  void nest_best() {
+    compact_first();
+    if (!best_ || !may_nest()) return;
     nesting::NestSettings settings;
-    settings.moves = kMovesOfAPiece * best_->pieces.size();
+    const InterruptionTuning& tuning = settings_.interruptions;
+    settings.moves = nestings_ == 0 ? tuning.moves_a_piece * best_->pieces.size()
+                                    : (packing_.work.nodes - nested_at_) / tuning.nodes_a_move;
+    settings.seed = nestings_;
+    settings.from_scratch = nestings_ % 2 == 1;
     settings.turn = false;
+    ++nestings_;
+    nested_at_ = packing_.work.nodes;
     auto nested = nesting::nest(*best_, settings, run_.quiet());
     if (!nested || nested->left_over > 0 || nested->length_after >= packing_.length_after) return;
     keep(std::move(nested->marker));
@@ -143,30 +144,50 @@ class Packer {
   }
 
   // Raises the bound as far as the search proves it.
-  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double& bound, double ceiling,
-                                        std::uint64_t nodes) {
-    branching::WorkLimits left = settings_.limits;
-    left.nodes = nodes - std::min(nodes, packing_.work.nodes);
-    left.pivots -= std::min(left.pivots, packing_.work.pivots);
+  branching::SearchOutcome search_below(const bodies::Bodies& bodies, double& bound, double ceiling) {
+    const branching::Work before = packing_.work;
     branching::SearchCalls calls;
     const double limit = static_cast<double>(start_.strip.last().value_or(kLatticeLimit));
     calls.place_leaf = [&bodies, freedom = freedom(limit), this](branching::Leaf& leaf) {
       return place_leaf(start_, bodies, freedom, run_, leaf);
     };
     calls.on_leaf = [&](const branching::Leaf& leaf) { take(bodies, leaf); };
-    calls.on_round = [&, before = packing_.work.nodes](double below, const branching::Work& work) {
+    calls.on_round = [&](double below, const branching::Work& work) {
       bound = std::max(bound, std::min(below, ceiling));
-      run_.observer.on_round({++packing_.rounds, packing_.length_after, reported(bound), before + work.nodes});
+      run_.observer.on_round({++packing_.rounds, packing_.length_after, reported(bound), before.nodes + work.nodes});
     };
     calls.stop = run_.stop;
     calls.executor = run_.executor;
-    auto outcome = branching::search(bodies.problem, ceiling, gap_, left, settings_.tuning, calls);
-    packing_.work += outcome.work;
+    branching::Search search{bodies.problem, ceiling, gap_, settings_.tuning, calls};
+    branching::SearchOutcome outcome;
+    const auto go_on = [&](std::uint64_t nodes) {
+      outcome = search.run({nodes - std::min(nodes, before.nodes),
+                            settings_.limits.pivots - std::min(settings_.limits.pivots, before.pivots)});
+      packing_.work = before;
+      packing_.work += outcome.work;
+    };
+    go_on(next_limit());
+    while (outcome.end == branching::SearchEnd::kWorkLimit && interrupted()) {
+      nest_best();
+      next_nesting_ = std::max(settings_.interruptions.second, 2 * next_nesting_);
+      if (best_) search.lower_ceiling(shorter_than_best());
+      go_on(next_limit());
+    }
     undecided_ = undecided_ || outcome.undecided;
     if (outcome.end == branching::SearchEnd::kWorkLimit) packing_.reason = scene::StopReason::kWorkLimit;
     if (outcome.end == branching::SearchEnd::kCancelled) packing_.reason = scene::StopReason::kCancelled;
     return outcome;
   }
+
+  [[nodiscard]] std::uint64_t next_limit() const { return std::min(next_nesting_, settings_.limits.nodes); }
+  // To nest, and not because the limits are reached.
+  [[nodiscard]] bool interrupted() const {
+    return packing_.work.nodes >= next_nesting_ && packing_.work.nodes < settings_.limits.nodes &&
+           packing_.work.pivots < settings_.limits.pivots && !run_.stopped();
+  }
+
+  // What a shorter layout may reach.
+  [[nodiscard]] double shorter_than_best() const { return static_cast<double>(packing_.length_after) - gap_; }
 
   void take(const bodies::Bodies& bodies, const branching::Leaf& leaf) {
     Marker layout = placed(start_, bodies, leaf);
@@ -184,7 +205,8 @@ class Packer {
   double gap_;  // lattice units
   std::optional<Marker> best_;
   bool undecided_{};
-  bool compacted_{}, nested_{};
+  bool compacted_{};
+  std::uint64_t nestings_{}, nested_at_{}, next_nesting_{};  // so far; nodes at the last one and at the next one
   Packing packing_;
 };
 

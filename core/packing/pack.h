@@ -3,8 +3,8 @@
 // Where compaction stays in one convex part of each pair's free space, packing searches all of them
 // (core/packing/branching).  Unplaced pieces are placed, too.  Layouts are looked for up to a ceiling that rises from
 // the area of the pieces: every ceiling without a layout is a proved lower bound, and the search under the ceiling that
-// has one proves the optimum.  A search that takes long is interrupted once for a short nesting (core/nesting), so that
-// it has a good layout to beat, and to return.
+// has one proves the optimum.  A search that takes long is interrupted from time to time for a nesting (core/nesting),
+// so that it has a good layout to beat, and to return.
 //
 // Laws.  (1) The answer is valid, proved in integers, and never longer than the input when that is valid.  (2) No
 // marker of these pieces, in the orientations that are searched, is shorter than `bound`, in exact arithmetic
@@ -20,12 +20,22 @@
 
 namespace selvage::packing {
 
+// When a search is interrupted to nest, and for how long; none of it changes what is proved.
+struct InterruptionTuning {
+  std::uint64_t first{5'000};  // after so many nodes, with so many moves for each piece:
+  std::uint64_t moves_a_piece{1'000};
+  std::uint64_t second{50'000};   // after so many nodes, and from then on whenever they have doubled,
+  std::uint64_t nodes_a_move{2};  // with a move for so many of the nodes since the last time
+  friend bool operator==(const InterruptionTuning&, const InterruptionTuning&) = default;
+};
+
 struct PackSettings {
   branching::WorkLimits limits{};
   // Pieces may take the other orientations that their shapes list; a piece that turns freely keeps the present one.
   bool turns{true};
   double gap{1e-6};  // the search ends when the marker is this near to the bound; a part of the width
   branching::SearchTuning tuning{};
+  InterruptionTuning interruptions{};
   friend bool operator==(const PackSettings&, const PackSettings&) = default;
 };
 

@@ -35,6 +35,12 @@ SearchOutcome Search::run(const WorkLimits& limits) {
   return outcome;
 }
 
+void Search::lower_ceiling(double ceiling) {
+  ceiling_ = std::min(ceiling_, ceiling);
+  closed_at_ = std::min(closed_at_, ceiling_);
+  for (Subtree& subtree : open_) subtree.lower_ceiling(ceiling_);
+}
+
 Work Search::work() const {
   Work all = outcome_.work;
   all += refuting_;
@@ -76,7 +82,7 @@ void Search::round() {
   if (learns) learn_from(count);
   if (spreading) spread(0);
   std::erase_if(open_, [](const Subtree& subtree) { return subtree.done(); });
-  for (Subtree& subtree : open_) subtree.lower_ceiling(ceiling_);
+  lower_ceiling(ceiling_);
   calls_.on_round(bound(), work());
   if (calls_.guess && goes_on()) guess();
   if (!calls_.refutes || !goes_on()) return;

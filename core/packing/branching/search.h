@@ -57,6 +57,8 @@ class Search {
 
   // Goes on until it is over or all its work so far reaches a limit.  The outcome is of all its work.
   SearchOutcome run(const WorkLimits& limits);
+  // From now on, only shorter layouts are of interest; the ceiling is never raised.
+  void lower_ceiling(double ceiling);
 
  private:
   [[nodiscard]] double bound() const;

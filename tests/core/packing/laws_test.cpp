@@ -144,6 +144,26 @@ TEST(PackLaws, AgreesWithExhaustiveSearchOnAGrid) {
   }
 }
 
+// A search that nests again and again, and then goes on below the shorter layout, proves what one without does.
+TEST(PackLaws, InterruptionsChangeNoProof) {
+  test::Random random{47};
+  std::uint64_t longest_search = 0;
+  for (int trial = 0; trial < 25 / test::kSlowdown + 1; ++trial) {
+    const auto pieces = random_pieces(random, 5);
+    Coord length = 1;
+    while (!test::fit_on_grid(pieces, 4, length)) ++length;
+    PackSettings settings;
+    settings.interruptions = {.first = 2, .moves_a_piece = 1 + random.below(20), .second = 4, .nodes_a_move = 1};
+    SumCache sums;
+    const Packing packing = pack(test::marker_of(pieces, 4), settings, {sums});
+    EXPECT_TRUE(packing.proved);
+    EXPECT_NEAR(static_cast<double>(packing.length_after), static_cast<double>(length * test::kSquare), kRounding);
+    EXPECT_LE(packing.bound, length * test::kSquare);
+    longest_search = std::max(longest_search, packing.work.nodes);
+  }
+  EXPECT_GT(longest_search, 16U);
+}
+
 // Where every piece is its own mirror image, half of the layouts are left out (core/packing/bodies/mirror.h).
 TEST(PackLaws, SkipsOnlyMirrorImages) {
   test::Random random{43};
