@@ -1,10 +1,11 @@
 // Nests markers from nothing with one part of the method switched off at a time, and prints a Markdown table of the
 // mean densities: what each part contributes.
 //
-// usage: ablation_table SECONDS SEEDS MARKER...
+// usage: ablation_table [--only TEXT] SECONDS SEEDS MARKER...
 //
 // SECONDS: processor time of each run, on one thread.  The seeds are 1 to SEEDS.  Layouts in the files are not used.
-// nest() proves every answer.
+// TEXT: only the rows whose names contain it, so that sittings add up.  nest() proves every answer; the density of
+// every run goes to the standard error.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -37,6 +38,9 @@ std::vector<Ablation> ablations() {
       {"a move descends from one place of the field instead of three",
        [](NestSettings& s) { s.tuning.search.best_places = 1; }},
       {"attempts are short from the beginning", [](NestSettings& s) { s.tuning.first_step = s.tuning.least_step; }},
+      {"searches that have stalled only attempt", [](NestSettings& s) { s.tuning.walks = false; }},
+      {"they only walk", [](NestSettings& s) { s.tuning.attempts = false; }},
+      {"markers are repaired, but not compacted", [](NestSettings& s) { s.tuning.compaction_rounds = 0; }},
       {"one start", [](NestSettings& s) { s.tuning.raced = 0; }},
       {"no compression in the end", [](NestSettings& s) { s.tuning.explored = 1; }},
       {"no small rotations in the end", [](NestSettings& s) { s.turn = false; }},
@@ -61,9 +65,14 @@ double density(const Marker& marker, const Ablation& ablation, double seconds, s
   return 100 * utilisation_at(done->marker, done->length_after);
 }
 
-int main_of(const std::vector<std::string>& arguments) {
+int main_of(std::vector<std::string> arguments) {
+  std::string only;
+  if (arguments.size() >= 2 && arguments[0] == "--only") {
+    only = arguments[1];
+    arguments.erase(arguments.begin(), arguments.begin() + 2);
+  }
   if (arguments.size() < 3) {
-    std::fprintf(stderr, "usage: ablation_table SECONDS SEEDS MARKER...\n");
+    std::fprintf(stderr, "usage: ablation_table [--only TEXT] SECONDS SEEDS MARKER...\n");
     return 2;
   }
   const double seconds = std::stod(arguments[0]);
@@ -77,11 +86,17 @@ int main_of(const std::vector<std::string>& arguments) {
   }
   std::printf("\n%s\n", rule.c_str());
   for (const Ablation& ablation : ablations()) {
+    if (ablation.name.find(only) == std::string::npos) continue;
     std::printf("| %s |", ablation.name.c_str());
     for (const std::string& file : files) {
       const Marker marker = marker_in(file);
       double sum = 0;
-      for (std::uint64_t seed = 1; seed <= seeds; ++seed) sum += density(marker, ablation, seconds, seed);
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const double dense = density(marker, ablation, seconds, seed);
+        std::fprintf(stderr, "%s, %s, seed %d: %.2f\n", ablation.name.c_str(), name_of(file).c_str(),
+                     static_cast<int>(seed), dense);
+        sum += dense;
+      }
       std::printf(" %.2f |", sum / static_cast<double>(seeds));
       std::fflush(stdout);
     }

@@ -69,6 +69,8 @@ void Exploration::begin(layout::Layout start, const std::vector<bool>& kept) {
 }
 
 void Exploration::when_stalled(OnStall on_stall) {
+  if (!tuning_.walks) on_stall = OnStall::kAttempt;
+  if (!tuning_.attempts) on_stall = OnStall::kWalk;
   on_stall_ = on_stall;
   walking_ = on_stall != OnStall::kAttempt;
 }
@@ -199,7 +201,8 @@ bool Exploration::separate(local_search::Persistence persistence) {
 }
 
 std::optional<Marker> Exploration::proved(const layout::Layout& layout) {
-  auto done = filling::proved(to_marker(*set_, layout, best_), tuning_.separation_rounds, *run_);
+  auto done =
+      filling::proved(to_marker(*set_, layout, best_), {tuning_.separation_rounds, tuning_.compaction_rounds}, *run_);
   if (!done) return std::nullopt;
   programs_ += done->programs;
   if (done->length_after < length_) become_best(done->marker);

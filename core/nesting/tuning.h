@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "core/nesting/batches/batches.h"
 #include "core/nesting/filling/tuning.h"
@@ -45,9 +46,12 @@ struct NestTuning {
   // Part of the budget after which a search no longer tries to fit all pieces before the cloth's end, but chooses which
   // of them lie on it: when their area is less than the cloth's, and when it is not.
   double end_patience{0.5}, hopeless_patience{0.1};
-  double searched{0.9};            // part of a time limit that the search has when small rotations may follow it
-  int separation_rounds{12};       // when repair cannot remove what the search has left
-  std::size_t most_pieces{2'000};  // larger sets are nested in batches
+  double searched{0.9};       // part of a time limit that the search has when small rotations may follow it
+  int separation_rounds{12};  // when repair cannot remove what the search has left
+  // Parts that may be left out to see what they bring; not both of the first two.
+  bool walks{true}, attempts{true};        // of searches that have stalled
+  std::optional<int> compaction_rounds{};  // of every marker that is found; nothing: as accuracy `standard`
+  std::size_t most_pieces{2'000};          // larger sets are nested in batches
   // Of the sampled maps of a search, and of all searches that run at the same time; fields take up to an eighth more.
   std::size_t map_bytes{std::size_t{192} << 20}, all_map_bytes{std::size_t{768} << 20};
   local_search::SearchTuning search{};

@@ -187,7 +187,7 @@ class Filler {
   bool keep(const Layout& layout, const std::vector<bool>& lies) {
     Marker lying = with_lying_pieces(to_marker(set_, layout, best_.marker), lies);
     lying.strip = lying.strip.ending(std::nullopt);
-    const auto done = proved(lying, settings_.tuning.separation_rounds, run_);
+    const auto done = proved(lying, {.separation_rounds = settings_.tuning.separation_rounds}, run_);
     if (!done) return false;
     best_.programs += done->programs;
     if (done->length_after > last_) return false;

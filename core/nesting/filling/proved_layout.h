@@ -9,9 +9,14 @@
 
 namespace selvage::nesting::filling {
 
-// The marker repaired, compacted and proved.  Where repair alone fails, it is separated first, in at most
-// `separation_rounds`.  Nothing when that fails, too, or when cancelled before the marker is valid.
-[[nodiscard]] std::optional<motion::compaction::Compaction> proved(const Marker& marker, int separation_rounds,
+struct ProvingLimits {
+  int separation_rounds{};
+  std::optional<int> compaction_rounds{};  // nothing: as many as accuracy `standard` has
+};
+
+// The marker repaired, compacted and proved.  Where repair alone fails, it is separated first.  Nothing when that
+// fails, too, or when cancelled before the marker is valid.
+[[nodiscard]] std::optional<motion::compaction::Compaction> proved(const Marker& marker, const ProvingLimits& limits,
                                                                    const scene::Run& run);
 
 }  // namespace selvage::nesting::filling

@@ -57,7 +57,7 @@ class FirstLayout {
   }
 
   [[nodiscard]] std::optional<Marker> proved(const Marker& marker) const {
-    auto done = filling::proved(marker, settings_.separation_rounds, run_);
+    auto done = filling::proved(marker, {.separation_rounds = settings_.separation_rounds}, run_);
     if (!done) return std::nullopt;
     return std::move(done->marker);
   }
