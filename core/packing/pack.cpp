@@ -118,8 +118,7 @@ class Packer {
     });
   }
 
-  // A shorter layout to beat: without one, a search that does not end has nothing to show.  By turns from the best that
-  // is known and from nothing, because neither is better in general.
+  // A shorter layout to beat, from the best that is known: without one, a search that does not end has nothing to show.
   void nest_best() {
     compact_first();
     if (!best_ || !may_nest()) return;
@@ -128,7 +127,6 @@ class Packer {
     settings.moves = nestings_ == 0 ? tuning.moves_a_piece * best_->pieces.size()
                                     : (packing_.work.nodes - nested_at_) / tuning.nodes_a_move;
     settings.seed = nestings_;
-    settings.from_scratch = nestings_ % 2 == 1;
     settings.turn = false;
     ++nestings_;
     nested_at_ = packing_.work.nodes;

@@ -164,6 +164,26 @@ TEST(PackLaws, InterruptionsChangeNoProof) {
   EXPECT_GT(longest_search, 16U);
 }
 
+TEST(PackLaws, InterruptionsKeepTheSequenceOfPiecesAndTheirLocks) {
+  test::Random random{59};
+  for (int trial = 0; trial < 12 / test::kSlowdown + 3; ++trial) {
+    Marker marker = test::marker_of(random_pieces(random, 5), 4);
+    const std::size_t locked = 1 + random.below(4);
+    marker.pieces[locked].locked = true;
+    PackSettings settings;
+    settings.interruptions = {.first = 1, .moves_a_piece = 0, .second = 2, .nodes_a_move = 1};
+    SumCache sums;
+    const Packing packing = pack(marker, settings, {sums});
+    ASSERT_EQ(packing.marker.pieces.size(), marker.pieces.size());
+    for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+      EXPECT_EQ(packing.marker.pieces[k].id, marker.pieces[k].id);
+      EXPECT_EQ(packing.marker.pieces[k].locked, marker.pieces[k].locked);
+    }
+    EXPECT_EQ(packing.marker.pieces[locked].at, marker.pieces[locked].at);
+    EXPECT_TRUE(packing.proved);
+  }
+}
+
 // Where every piece is its own mirror image, half of the layouts are left out (core/packing/bodies/mirror.h).
 TEST(PackLaws, SkipsOnlyMirrorImages) {
   test::Random random{43};
