@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Nesting, packing and filling.  usage: searches_test.py SELVAGE"""
 import json
+import re
 import signal
 import subprocess
 import time
@@ -180,6 +181,10 @@ class Pack(CliTest):
     def test_the_summary_states_what_is_proved(self):
         ran = run("pack", PACKING / "partition.json")
         self.assertIn("the shortest, proved", ran.stdout)
+        ran = run("pack", PACKING / "seven.json", "--nodes", "20")
+        bound, shorter = map(float, re.search(r"bound +([\d.]+) mm, at most ([\d.]+) % shorter", ran.stdout).groups())
+        length = float(re.search(r"length .*-> ([\d.]+) mm", ran.stdout).group(1))
+        self.assertAlmostEqual(bound / length, 1 - shorter / 100, places=4)
         ran = run("contain", PACKING / "slot.json")
         self.assertIn("pieces       found", ran.stdout)
 

@@ -97,7 +97,7 @@ std::string search_lines(const Json& fields, const std::string& unit) {
     } else if (fields["proved"] == true) {
       out += ", the shortest, proved";
     } else if (bound > 0) {
-      out += ", at most " + rounded(100 * (length / bound - 1), 3) + " % shorter";
+      out += ", at most " + rounded(100 * (1 - bound / length), 3) + " % shorter";
     }
     out += "\n";
   }
