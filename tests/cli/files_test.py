@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Drawings, calls, checks and conversions.  usage: files_test.py SELVAGE"""
 import json
+import re
 import resource
 import subprocess
 import unittest
@@ -145,6 +146,12 @@ class Check(CliTest):
         self.assertEqual([(o["first"], o["second"], o["depth"]) for o in answer["overlaps"]], [("p0", "p1", 10)])
         x, y = answer["overlaps"][0]["witness"]
         self.assertTrue(30 < x < 40 and 0 < y < 40, (x, y))
+
+    def test_says_where_far_along_the_strip_in_plain_digits(self):
+        ran = run("check", self.write(squares((23_450, 0), (23_480, 0), (61_000, 70))))
+        place = re.search(r"overlap by 10 mm near \(([\d.]+), ([\d.]+)\)", ran.stdout)
+        self.assertTrue(place, ran.stdout)
+        self.assertTrue(23_480 < float(place.group(1)) < 23_490, ran.stdout)
 
     def test_checks_the_spacing(self):
         touching = self.write(squares((0, 0), (40, 0)))

@@ -9,6 +9,7 @@
 #include "clients/cli/library/library_commands.h"
 #include "clients/cli/terminal/failure.h"
 #include "clients/cli/terminal/files.h"
+#include "clients/cli/terminal/style.h"
 #include "core/remake/substitution/choice.h"
 #include "protocol/library/labels.h"
 
@@ -22,8 +23,9 @@ constexpr std::size_t kShown = 10;  // number of search results that are printed
 
 std::string line_of(const std::string& name, const protocol::library::StoredFigures& figures) {
   char text[160];
-  std::snprintf(text, sizeof text, "%4.0f pieces  width %g  length %g  %6.2f %%  ", figures.signature.pieces,
-                figures.signature.width, figures.length, 100 * figures.utilisation);
+  std::snprintf(text, sizeof text, "%4.0f pieces  width %s  length %s  %6.2f %%  ", figures.signature.pieces,
+                terminal::length_text(figures.signature.width).c_str(), terminal::length_text(figures.length).c_str(),
+                100 * figures.utilisation);
   return text + name;
 }
 

@@ -13,9 +13,10 @@ namespace {
 std::string per_cent(double part) {
   return rounded(100 * part, 2) + " %";
 }
+// With four digits, and never as 1.234e+04.
 std::string significant(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
+  std::snprintf(text, sizeof text, std::abs(value) < 1e4 ? "%.4g" : "%.0f", value);
   return text;
 }
 
@@ -191,7 +192,7 @@ std::string plain_violations(const Marker& marker, const Json& validity) {
     out += "  pieces " + overlap["first"].text() + " and " + overlap["second"].text() +
            (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " +
            significant(overlap["depth"].number()) + unit + (may_overlap ? " too much" : "") + " near (" +
-           significant(overlap["witness"][0].number()) + ", " + significant(overlap["witness"][1].number()) + ")\n";
+           length_text(overlap["witness"][0].number()) + ", " + length_text(overlap["witness"][1].number()) + ")\n";
   }
   for (const Json& protrusion : validity["protrusions"]) {
     const std::string& id = protrusion["piece"].text();
