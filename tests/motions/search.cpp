@@ -60,6 +60,13 @@ Result<Answer> packing_shortest(const Marker& start, const Occasion& on) {
   packing::PackSettings settings;
   settings.limits.nodes = kFewNodes;
   settings.turns = on.random.chance(50);
+  // So that short searches nest, too.
+  if (on.random.chance(50)) {
+    settings.interruptions = {.first = 1 + on.random.below(30),
+                              .moves_a_piece = on.random.below(4),
+                              .second = 30 + on.random.below(30),
+                              .nodes_a_move = 4};
+  }
   packing::Packing done = pack(start, settings, on.run);
   std::string contradiction;
   if (done.found && done.bound > done.length_after) contradiction = "reports a bound that its own marker violates";
