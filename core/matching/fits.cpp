@@ -73,9 +73,8 @@ std::vector<Orientation> orientations_of(const Shape& shape, const Orientation& 
     if (flip && !shape.may_flip) continue;
     for (const Angle rotation : rotations) all.push_back({flip, rotation, tilt});
   }
-  std::ranges::stable_partition(all, [&slot](const Orientation& orientation) {
-    return without_tilt(orientation) == without_tilt(slot);
-  });
+  const Orientation own = without_tilt(slot);
+  std::stable_partition(all.begin(), all.end(), [&own](const Orientation& one) { return without_tilt(one) == own; });
   return all;
 }
 
