@@ -60,7 +60,7 @@ class Exploration {
 
   // Builds the first layout, in which the `kept` pieces lie where `start` has them.
   void begin(layout::Layout start, const std::vector<bool>& kept);
-  // From now on, does this when it has stalled.
+  // From now on, does this when it has stalled, but for what the tuning leaves out.
   void when_stalled(OnStall on_stall);
   // Searches until it has made this many more moves, the budget is used up, or nothing shorter is possible.
   void advance(std::uint64_t moves);

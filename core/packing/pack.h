@@ -20,12 +20,13 @@
 
 namespace selvage::packing {
 
-// When a search is interrupted to nest, and for how long; none of it changes what is proved.
+// After how many nodes a search is interrupted for a nesting, and the moves that this may make.  None of it changes
+// what is proved.  The number of nodes is at least 1 in each.
 struct InterruptionTuning {
-  std::uint64_t first{5'000};  // after so many nodes, with so many moves for each piece:
-  std::uint64_t moves_a_piece{1'000};
-  std::uint64_t second{50'000};   // after so many nodes, and from then on whenever they have doubled,
-  std::uint64_t nodes_a_move{2};  // with a move for so many of the nodes since the last time
+  std::uint64_t first{5'000};          // of the first interruption
+  std::uint64_t moves_a_piece{1'000};  // of the first nesting
+  std::uint64_t second{50'000};        // of the second interruption; later ones come whenever the nodes have doubled
+  std::uint64_t nodes_a_move{2};       // later nestings make a move for so many nodes since the one before
   friend bool operator==(const InterruptionTuning&, const InterruptionTuning&) = default;
 };
 

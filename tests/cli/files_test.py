@@ -152,6 +152,9 @@ class Check(CliTest):
         place = re.search(r"overlap by 10 mm near \(([\d.]+), ([\d.]+)\)", ran.stdout)
         self.assertTrue(place, ran.stdout)
         self.assertTrue(23_480 < float(place.group(1)) < 23_490, ran.stdout)
+        for y, distance in ((10_059.97, "10000"), (12_405.6, "12346")):
+            ran = run("check", self.write(squares((0, y))))
+            self.assertIn(f"leaves the strip by {distance} mm", ran.stdout)
 
     def test_checks_the_spacing(self):
         touching = self.write(squares((0, 0), (40, 0)))

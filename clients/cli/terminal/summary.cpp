@@ -13,10 +13,10 @@ namespace {
 std::string per_cent(double part) {
   return rounded(100 * part, 2) + " %";
 }
-// With four digits, and never as 1.234e+04.
+// With four digits; from 10,000 on with all digits before the point, not as 1.234e+04.
 std::string significant(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, std::abs(value) < 1e4 ? "%.4g" : "%.0f", value);
+  std::snprintf(text, sizeof text, std::abs(value) < 9999.5 ? "%.4g" : "%.0f", value);
   return text;
 }
 

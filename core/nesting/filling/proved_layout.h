@@ -9,6 +9,7 @@
 
 namespace selvage::nesting::filling {
 
+// At most so many rounds.
 struct ProvingLimits {
   int separation_rounds{};
   std::optional<int> compaction_rounds{};  // nothing: as many as accuracy `standard` has

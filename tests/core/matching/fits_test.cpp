@@ -49,8 +49,8 @@ TEST(Fits, TiltsAreAdoptedAtNoCost) {
   }
 }
 
-// A rectangle looks the same when it is flipped or turned by half a circle, but its tilted outline is rounded
-// otherwise.
+// A rectangle looks the same when it is flipped or rotated by 180 degrees, but its tilted outline is rounded
+// differently.
 TEST(Fits, PiecesThatLookTheSameInSeveralOrientationsKeepTheirOwn) {
   Marker marker;
   Shape& shape = marker.shapes.emplace_back();
