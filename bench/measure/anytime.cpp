@@ -39,25 +39,42 @@ search::RefineSettings until(double deadline) {
   return settings;
 }
 
+// The best marker at a deadline in milliseconds of processor time, as one line.
+void measure_until(int deadline, bool fine, const std::string& name, const Marker& marker) {
+  const double start = own_time();
+  SumCache sums;
+  const WorkDeadline limit{static_cast<double>(deadline)};
+  const motion::compaction::Compaction done =
+      fine ? *refine(marker, until(deadline), {sums, limit.token()})
+           : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
+  print_line(name, fine ? "fine" : "standard", std::to_string(deadline), own_time() - start, ratio_of(done),
+             done.programs, marker::is_valid(done.marker));
+}
+
+void print_heading() {
+  std::cout << "marker,accuracy,deadline,ms,ratio,programs,valid\n" << std::fixed;
+}
+
 }  // namespace
 
 void anytime(const Paths& paths) {
-  std::cout << "marker,accuracy,deadline,ms,ratio,programs,valid\n" << std::fixed;
+  print_heading();
   for (const std::string& path : paths) {
     const Marker marker = marker_in(path);
     for (const bool fine : {false, true}) {
       for (const int deadline : {5, 10, 20, 40, 60, 100, 200, 1000, 2000, 4000, 10000}) {
-        const double start = own_time();
-        SumCache sums;
-        const WorkDeadline limit{static_cast<double>(deadline)};
-        const motion::compaction::Compaction done =
-            fine
-                ? *refine(marker, until(deadline), {sums, limit.token()})
-                : *compact(marker, compaction_settings(motion::compaction::Accuracy::kStandard), {sums, limit.token()});
-        print_line(name_of(path), fine ? "fine" : "standard", std::to_string(deadline), own_time() - start,
-                   ratio_of(done), done.programs, marker::is_valid(done.marker));
+        measure_until(deadline, fine, name_of(path), marker);
       }
     }
+  }
+}
+
+void searched(const Paths& paths) {
+  print_heading();
+  for (const std::string& path : paths) {
+    const Marker marker = marker_in(path);
+    measure_until(60'000, false, name_of(path), marker);
+    for (const int deadline : {1'000, 10'000, 60'000}) measure_until(deadline, true, name_of(path), marker);
   }
 }
 

@@ -213,6 +213,16 @@ def anytime(arguments, rows):
     put(arguments, "anytime", table(["deadline, ms", "standard", "fine"], body))
 
 
+def searched(arguments, rows):
+    ratio = {(r["marker"], r["accuracy"], r["deadline"]): float(r["ratio"]) for r in rows}
+    markers = dict.fromkeys(m for m, _, _ in ratio)
+    deadlines = list(dict.fromkeys(d for _, a, d in ratio if a == "fine"))
+    standard = {m: next(v for (n, a, _), v in ratio.items() if (n, a) == (m, "standard")) for m in markers}
+    shorter = lambda m, d: f"{100 * (1 - ratio[m, 'fine', d] / standard[m]):.2f} %"
+    head = ["marker", *(f"{int(d) // 1000} s" for d in deadlines)]
+    put(arguments, "searched", table(head, [[m, *(shorter(m, d) for d in deadlines)] for m in markers]))
+
+
 def exponent(rows, key):
     """The slope of the least squares line through (log of pieces, log of time)."""
     points = [(math.log(float(r["pieces"])), math.log(max(float(r[key]), 1e-3))) for r in rows]
@@ -274,6 +284,7 @@ def main():
     settings_tables(arguments, sets)
     digitised(arguments, rows_of(arguments, "digitised", [named["jeans_06g"], named["simon_06g"]]))
     anytime(arguments, rows_of(arguments, "anytime", [named["jeans_22g"]]))
+    searched(arguments, rows_of(arguments, "searched", arguments.garments))
     scene(arguments, rows_of(arguments, "scene", [named["jeans_06g"]]))
     # Each tile is measured in a separate process, because the reported memory is the peak of the process.
     tiles = ["jeans_02g", "jeans_06g"]

@@ -17,6 +17,9 @@ void digitised(const Paths& paths);
 // The best length at a deadline.
 void anytime(const Paths& paths);
 
+// How much shorter than `standard` the search of `fine` makes each marker in 1, 10 and 60 s.
+void searched(const Paths& paths);
+
 // The size of each motion's programs, on tiles of the first marker.
 void scene(const Paths& paths);
 

@@ -126,12 +126,12 @@ class Filler {
     return chosen;
   }
 
-  // One after another or, where that fails, all at once.
+  // One after another or, where that fails, all at once.  When the largest finds no room by itself, they cannot all.
   [[nodiscard]] std::optional<Marker> refitted(const Marker& rest, const std::vector<PieceId>& wanted, Coord end,
                                                std::mt19937_64& random, const scene::Run& run,
                                                branching::Work& work) const {
-    if (auto layout = scattered(rest, end, settings_.turns, random, run)) return layout;
-    if (wanted.size() == 1) return std::nullopt;
+    Scattered one_by_one = scattered(rest, end, settings_.turns, random, run);
+    if (one_by_one.layout || one_by_one.placed == 0 || wanted.size() == 1) return std::move(one_by_one.layout);
     auto found = contain(rest, wanted, room_until(rest.strip, end), containing(), run);
     work += found.work;
     if (found.verdict != Verdict::kFound) return std::nullopt;
@@ -151,14 +151,17 @@ class Filler {
     // When other pieces are on critical paths as well, taking these out gains nothing; they may go elsewhere all the
     // same, so that the next trial has fewer of them in its way.
     const bool level = gap < least;
+    std::optional<Marker> layout;
     for (const double part : settings_.tuning.parts) {
       const Coord end = level ? length : closed->length_after + static_cast<Coord>(part * gap);
-      const auto layout = refitted(closed->marker, out.wanted, end, random, run, outcome.work);
-      if (!layout) continue;
-      auto again = compact(put_back(best, *layout), whole_compaction(), run);
-      if (again) outcome.marker = std::move(again->marker);
-      return outcome;
+      auto tighter = refitted(closed->marker, out.wanted, end, random, run, outcome.work);
+      if (!tighter) break;
+      layout = std::move(tighter);
+      if (level) break;
     }
+    if (!layout) return outcome;
+    auto again = compact(put_back(best, *layout), whole_compaction(), run);
+    if (again) outcome.marker = std::move(again->marker);
     return outcome;
   }
 

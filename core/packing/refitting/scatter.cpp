@@ -56,17 +56,18 @@ std::optional<Marker> with_piece(const Marker& marker, std::size_t unplaced, Coo
 
 }  // namespace
 
-std::optional<Marker> scattered(const Marker& marker, Coord end, bool turns, std::mt19937_64& random,
-                                const scene::Run& run) {
-  std::optional<Marker> layout = marker;
-  while (layout && !layout->unplaced.empty()) {
-    if (run.stopped()) return std::nullopt;
-    const auto area = [&layout](const Piece& piece) { return doubled_area(layout->shapes[piece.shape.value].outline); };
-    const auto largest = std::ranges::max_element(layout->unplaced, {}, area);
-    const auto number = static_cast<std::size_t>(largest - layout->unplaced.begin());
-    layout = with_piece(*layout, number, end, turns, random, run);
+Scattered scattered(const Marker& marker, Coord end, bool turns, std::mt19937_64& random, const scene::Run& run) {
+  Scattered done{marker};
+  while (done.layout && !done.layout->unplaced.empty()) {
+    if (run.stopped()) return {};
+    const Marker& layout = *done.layout;
+    const auto area = [&layout](const Piece& piece) { return doubled_area(layout.shapes[piece.shape.value].outline); };
+    const auto largest = std::ranges::max_element(layout.unplaced, {}, area);
+    const auto number = static_cast<std::size_t>(largest - layout.unplaced.begin());
+    done.layout = with_piece(layout, number, end, turns, random, run);
+    if (done.layout) ++done.placed;
   }
-  return layout;
+  return done;
 }
 
 }  // namespace selvage::packing::refitting

@@ -1,6 +1,7 @@
 // Filling gaps and exact compaction of windows.
 #include <gtest/gtest.h>
 
+#include <random>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "core/motion/compaction/compact.h"
 #include "core/packing/refitting/compact_exactly.h"
 #include "core/packing/refitting/fill_gaps.h"
+#include "core/packing/refitting/scatter.h"
 #include "protocol/execution/thread_pool.h"
 #include "tests/core/motion/markers.h"
 #include "tests/laws/random_marker.h"
@@ -102,6 +104,28 @@ TEST(FillGaps, ReturnsTheBestMarkerSoFarWhenCancelled) {
   EXPECT_EQ(filled->reason, scene::StopReason::kCancelled);
   EXPECT_EQ(filled->rounds, 3);
   EXPECT_TRUE(is_valid(filled->marker));
+}
+
+TEST(Scattered, SaysHowManyPiecesFoundRoom) {
+  Marker marker = with_hole();
+  Piece& square = marker.unplaced.emplace_back(marker.pieces[4]);
+  square.id = "second square";
+  SumCache sums;
+  const auto placed_until = [&](Coord end) {
+    std::mt19937_64 random{1};
+    return scattered(marker, end, true, random, scene::Run{sums});
+  };
+  const Scattered one = placed_until(80'000);
+  ASSERT_TRUE(one.layout);
+  EXPECT_EQ(one.placed, 1U);
+  EXPECT_TRUE(is_valid(*one.layout));
+  // Two more squares: the hole has room for one.
+  marker.unplaced.push_back(Piece{square});
+  marker.unplaced[1].id = "third square";
+  EXPECT_EQ(placed_until(60'000).placed, 1U);
+  EXPECT_FALSE(placed_until(60'000).layout);
+  marker.unplaced.front().shape = marker.unplaced.back().shape = marker.pieces[0].shape;
+  EXPECT_EQ(placed_until(60'000).placed, 0U);
 }
 
 // Copies of a layout that compaction cannot shorten, one behind another: there is room for the low bars above the tall
