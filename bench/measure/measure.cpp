@@ -1,7 +1,7 @@
 // Measures time against length for every setting, simplification of digitised outlines, the best length at a deadline
 // and after a longer search, the size of each motion's programs, and how time grows with the number of pieces.  Prints
-// comma-separated lines, from which bench/measure/measure.py makes tables and pictures.  Times are processor times in milliseconds with an empty
-// cache of sums, unless marked as warm.
+// comma-separated lines, from which bench/measure/measure.py makes tables and pictures.  Times are processor times in
+// milliseconds with an empty cache of sums, unless marked as warm.
 //
 // `cores` measures the gain from a second thread and prints a Markdown table of wall times.
 //
