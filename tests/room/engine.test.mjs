@@ -40,6 +40,26 @@ test("a dropped result leaves the marker as it was", () =>
     await lengthBecomes(page, "2,460.4 mm");
   }));
 
+test("a result waits beside another marker that is shown, and is not applied to it", () =>
+  story(here, async (page, port) => {
+    const { markerId } = await shown(page, port);
+    const other = await call(port, "marker.open", { marker: example("jeans_06g") });
+    const entry = `[...document.querySelectorAll("#marker-menu [role=menuitem]")].find((one) => one.textContent.includes("jeans_06g"))`;
+    await page.key("c");
+    await page.until(offered);
+    await page.click("#menu");
+    await page.until(`!!${entry}`);
+    await page.ask(`${entry}.click()`);
+    await page.until(`selvageRoom.view().markerId === "${other.markerId}"`);
+    await page.until(gone);
+    await page.until(`document.querySelectorAll("#beside .card").length > 0`);
+    await page.ask(`document.querySelector("#top").focus()`);
+    await page.key("Enter");
+    await page.key("g");
+    const { markers } = await call(port, "marker.list");
+    assert.deepEqual(markers.map((one) => [one.markerId, one.revision]), [[markerId, 1], [other.markerId, 1]]);
+  }));
+
 test("kept results are compared and taken later, in one step, although the marker was edited meanwhile", () =>
   story(here, async (page, port) => {
     await page.press("Standard");

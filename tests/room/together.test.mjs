@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { assertValid, atRevision, call, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
+import { assertValid, atRevision, call, example, revision, shown, spot, squares, startDaemon, story, visit, withBrowser } from "./visit.mjs";
 
 const here = withBrowser();
 
@@ -45,6 +45,27 @@ test("two users drag one piece: the second gets a message, and nothing is lost",
     await other.until("selvageRoom.view().shown === 0");
     assert.equal((await call(port, "marker.get", { markerId })).revision, 2);
     await assertSeenAlike(page, other, "20");
+    await assertValid(port, markerId);
+  }));
+
+test("a drop that fails is taken back alone: a change that another user made meanwhile stays", () =>
+  story(here, async (page, port) => {
+    const opened = await call(port, "marker.open", { marker: example("jeans_22g") });
+    const { marker } = await call(port, "marker.get", { markerId: opened.markerId });
+    marker.strip.longest = Math.ceil(opened.length); // there is no room for a separation
+    const { markerId } = await call(port, "marker.open", { marker });
+    const other = await visit(here.browser, port, { marker: markerId });
+    await other.key("0");
+    const [x, y] = await spot(other, "0");
+    const before = await call(port, "marker.get", { markerId });
+    await other.drag([x, y], [x + 420, y + 8], { modifiers: 8 });
+    await atRevision(other, 2);
+    await call(port, "marker.apply", { markerId, ops: [{ op: "lock", piece: "400", locked: true }] });
+    await other.until(`document.querySelector("#toast").textContent.includes("no free place")`);
+    const after = await call(port, "marker.get", { markerId });
+    const piece = (of, id) => of.marker.pieces.find((one) => one.id === id);
+    assert.equal(piece(after, "400").locked, true);
+    assert.deepEqual(piece(after, "0").at, piece(before, "0").at);
     await assertValid(port, markerId);
   }));
 

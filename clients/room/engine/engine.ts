@@ -51,10 +51,19 @@ export class Engine {
   ) {
     this.preview.follow((result) => this.showPreview(result));
     this.compared.follow(() => this.showCompared());
+    desk.marker.follow(() => this.putAside());
     desk.changed.follow(() => {
       this.showPreview(this.preview.value);
       this.showCompared();
     });
+  }
+
+  // When another marker is shown, the result waits beside it: it can be taken only by the marker that it was made of.
+  private putAside(): void {
+    const result = this.preview.value;
+    if (!result || result.markerId === this.desk.markerId) return;
+    this.beside.value = [...this.beside.value, result];
+    this.preview.value = undefined;
   }
 
   private showPreview(result: Result | undefined): void {
@@ -92,7 +101,7 @@ export class Engine {
       if (why !== undefined) return this.showMessage(why);
       const answer = result as unknown as MotionAnswer;
       if (answer.placements.length === 0) return this.showMessage(say("noGain", { what: title }));
-      this.offer(title, answer, posesAfter(start, answer.placements), since);
+      this.offer(title, markerId, answer, posesAfter(start, answer.placements), since);
     });
   }
 
@@ -111,17 +120,20 @@ export class Engine {
       const client = await this.desk.link.ready();
       const marker = this.desk.marker.value!;
       const start = marker.poses();
+      const { markerId } = this.desk;
       const { revision, length } = this.desk.figures.value;
+      let found = false;
       const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all pieces has priority
       await search(wanted, client, marker.toDocument(), best, signal, {
         goesOn: () => !run.stopping,
         round: (round, best) => this.round(run, round, best, since),
         better: (answer, placements) => {
+          found = true;
           if (this.preview.value && this.preview.value.title !== title) return; // the user is looking at another result
-          this.offer(title, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
+          this.offer(title, markerId, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
         },
       }, this.desk.link.alone ? "page" : "daemon");
-      if (!this.preview.value) this.showMessage(say("noGain", { what: title }));
+      if (!found) this.showMessage(say("noGain", { what: title }));
     });
   }
 
@@ -158,11 +170,12 @@ export class Engine {
     this.run.announce();
   }
 
-  private offer(title: string, answer: MotionAnswer, poses: Map<string, Pose>, since: number): void {
-    this.preview.value = {
+  // Shows a result of the marker `markerId`; if another one is shown by now, it replaces the run's last result beside it.
+  private offer(title: string, markerId: string, answer: MotionAnswer, poses: Map<string, Pose>, since: number): void {
+    const result: Result = {
       id: ++this.results,
       title,
-      markerId: this.desk.markerId,
+      markerId,
       base: answer.revision,
       before: answer.lengthBefore,
       length: answer.lengthAfter,
@@ -170,12 +183,14 @@ export class Engine {
       seconds: (performance.now() - since) / 1000,
       poses,
     };
+    if (markerId === this.desk.markerId) this.preview.value = result;
+    else this.beside.value = [...this.beside.value.filter((kept) => kept.title !== title || kept.markerId !== markerId), result];
   }
 
   /** Moves all pieces to their places in the result, which one undo takes back. */
   async take(result = this.preview.value): Promise<void> {
     const marker = this.desk.marker.value;
-    if (!result || !marker) return;
+    if (!result || !marker || result.markerId !== this.desk.markerId) return;
     const ops = editsTo(marker, result.poses);
     try {
       if (ops.length > 0) await this.desk.apply(ops);

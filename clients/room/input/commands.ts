@@ -166,9 +166,9 @@ export class Commands {
       const wanted: Point = [to[0] - (box.left + box.right) / 2, to[1] - (box.bottom + box.top) / 2];
       const { rotation, flip } = piece;
       await this.desk.gesture(async () => {
-        await this.desk.apply([{ op: "place", piece: id, at: marker.longest === undefined ? beyond : wanted, rotation, flip }]);
+        const answer = await this.desk.apply([{ op: "place", piece: id, at: marker.longest === undefined ? beyond : wanted, rotation, flip }]);
         if (await this.settling.place(id, wanted)) this.showMessage(say("laidDown", { name: piece.shape.label }));
-        else await this.desk.undo();
+        else await this.desk.takeBack(answer.revision, () => [{ op: "takeOff", piece: id }]);
       });
       this.scene.select([id]);
     });

@@ -1,5 +1,5 @@
 import { CallError, type Edit, type Point } from "../../typescript/src/index";
-import { editsBetween } from "../marker/edits";
+import { editsBetween, editsTo } from "../marker/edits";
 import type { Piece } from "../marker/marker";
 import type { Pose } from "../marker/pose";
 import type { Desk } from "../session/desk";
@@ -19,13 +19,14 @@ export class Settling {
   async apply(ops: Edit[], settled = say("separated")): Promise<boolean> {
     if (ops.length === 0) return true;
     try {
+      const before = this.posesOf(ops);
       return await this.desk.gesture(async () => {
         const answer = await this.desk.apply(ops);
         if (answer.valid || (await this.separate())) {
           if (!answer.valid) this.showMessage(settled);
           return true;
         }
-        await this.desk.undo();
+        await this.desk.takeBack(answer.revision, () => editsTo(this.desk.marker.value!, before));
         this.showMessage(say("noPlace"));
         return false;
       });
@@ -33,6 +34,11 @@ export class Settling {
       this.showMessage(say("refusedDrop", { why: errorText(error) }));
       return false;
     }
+  }
+
+  private posesOf(ops: Edit[]): Map<string, Pose> {
+    const edited = new Set(ops.flatMap((op) => ("piece" in op ? [op.piece] : [])));
+    return new Map([...(this.desk.marker.value?.poses() ?? [])].filter(([id]) => edited.has(id)));
   }
 
   private async separate(): Promise<boolean> {

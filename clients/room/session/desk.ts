@@ -39,6 +39,7 @@ export class Desk {
   private latestReported = 0; // the latest revision that an answer or a notification reported for this marker
   private refreshing: Promise<void> = Promise.resolve(); // a change that requires reading the whole document again
   private changesInProgress = 0; // number of calls of this page that change the marker
+  private ownRevisions = new Set<number>(); // made by calls of this page in the present gesture
   // The number of revisions that a gesture made, by the last of them: one undo takes back all of them.
   private readonly undoSteps = new Map<number, number>();
   private readonly redoSteps = new Map<number, number>();
@@ -157,6 +158,7 @@ export class Desk {
     const marker = this.marker.value;
     const { revision } = this.figures.value;
     this.latestReported = Math.max(this.latestReported, change.revision);
+    if (by === "") this.ownRevisions.add(change.revision);
     if (!marker || this.documentOf !== this.markerId || change.revision <= revision) return;
     const before = new Map<string, Pose>();
     for (const { id } of change.placements) {
@@ -185,15 +187,17 @@ export class Desk {
     }
   }
 
-  /** Carries out several changes, which one undo takes back. */
+  /** Carries out several changes, which one undo takes back, unless others have changed the marker in the meantime. */
   async gesture<T>(act: () => Promise<T>): Promise<T> {
     const from = this.figures.value.revision;
+    this.ownRevisions.clear();
     try {
       return await act();
     } finally {
       await this.refreshing;
       const to = this.figures.value.revision;
-      if (to > from + 1) this.undoSteps.set(to, to - from);
+      const own = [...this.ownRevisions].filter((revision) => revision > from).length;
+      if (to > from + 1 && own === to - from) this.undoSteps.set(to, to - from);
     }
   }
 
@@ -207,13 +211,30 @@ export class Desk {
     });
   }
 
+  /** Takes back the change that made a revision: by undo or, if others have changed the marker since, by edits that move its pieces back. */
+  async takeBack(revision: number, back: () => Edit[]): Promise<void> {
+    try {
+      await this.change(async (client) => this.absorb(await client.call("marker.undo", { markerId: this.markerId, baseRev: revision }), "marker.undo"));
+    } catch (error) {
+      if (!hasCode(error, Code.RevisionMismatch)) throw error;
+      await this.refreshing;
+      await this.apply(back());
+    }
+  }
+
+  /** Takes back the latest change; fails if the daemon has a newer one. */
   undo = (): Promise<void> => this.step("marker.undo", this.undoSteps, this.redoSteps);
   redo = (): Promise<void> => this.step("marker.redo", this.redoSteps, this.undoSteps);
 
   private step(method: "marker.undo" | "marker.redo", here: Map<number, number>, there: Map<number, number>): Promise<void> {
     return this.change(async (client) => {
       const steps = here.get(this.figures.value.revision) ?? 1;
-      for (let k = 0; k < steps; ++k) this.absorb(await client.call(method, { markerId: this.markerId }), method);
+      let baseRev = this.figures.value.revision;
+      for (let k = 0; k < steps; ++k) {
+        const change = await client.call(method, { markerId: this.markerId, baseRev });
+        this.absorb(change, method);
+        baseRev = change.revision;
+      }
       if (steps > 1) there.set(this.figures.value.revision, steps);
     });
   }

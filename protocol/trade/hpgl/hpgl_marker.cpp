@@ -36,14 +36,32 @@ bool is_rectangle(const Loop& loop) {
 struct Frame {
   Spot low, high;
 };
-// Removes the frame, if there is one.
-std::optional<Frame> take_frame(std::vector<NestedLoop>& outlines) {
-  if (outlines.size() != 1 || !is_rectangle(outlines.front().loop)) return std::nullopt;
-  NestedLoop& around = outlines.front();
-  const auto is_piece = [](const Loop& loop) { return std::abs(doubled_area(loop.points)) / 2 >= kLeastPiece; };
-  if (std::none_of(around.inner.begin(), around.inner.end(), is_piece)) return std::nullopt;
-  const Frame frame{around.low, around.high};
-  outlines = nested(std::move(around.inner));
+Frame box_of(const Loop& loop) {
+  Frame box{loop.points.front(), loop.points.front()};
+  for (const Spot& point : loop.points) {
+    box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
+    box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
+  }
+  return box;
+}
+bool within(const Frame& inner, const Frame& outer) {
+  return inner.low.x >= outer.low.x - kEndsReach && inner.low.y >= outer.low.y - kEndsReach &&
+         inner.high.x <= outer.high.x + kEndsReach && inner.high.y <= outer.high.y + kEndsReach;
+}
+
+// Removes the frame, if there is one: a rectangle, drawn once or more, in whose box everything else lies.  Pieces may
+// touch it.
+std::optional<Frame> take_frame(std::vector<Loop>& closed) {
+  const auto area = [](const Loop& loop) { return std::abs(doubled_area(loop.points)) / 2; };
+  const auto largest = std::ranges::max_element(closed, {}, area);
+  if (largest == closed.end() || !is_rectangle(*largest)) return std::nullopt;
+  const Frame frame = box_of(*largest);
+  const auto is_frame = [&](const Loop& loop) { return is_rectangle(loop) && within(frame, box_of(loop)); };
+  if (!std::ranges::all_of(closed, [&](const Loop& loop) { return within(box_of(loop), frame); })) return std::nullopt;
+  if (std::ranges::none_of(closed, [&](const Loop& loop) { return area(loop) >= kLeastPiece && !is_frame(loop); })) {
+    return std::nullopt;
+  }
+  std::erase_if(closed, is_frame);
   return frame;
 }
 
@@ -65,8 +83,8 @@ class PlotReader {
 
   PlacedMarker read() {
     Loops loops = joined(std::move(strokes_.runs), kEndsReach);
+    frame_ = take_frame(loops.closed);
     outlines_ = nested(std::move(loops.closed));
-    frame_ = take_frame(outlines_);
     if (frame_) corner_ = frame_->low;
     std::erase_if(outlines_, [](const NestedLoop& outline) {
       return std::abs(doubled_area(outline.loop.points)) / 2 < kLeastPiece;

@@ -59,6 +59,21 @@ TEST(HpglIn, PiecesLieInTheFrameAndHaveTheirLabelsAsNames) {
   }
 }
 
+// Three squares of 100 mm side by side fill the width of the frame, which is 300 mm long and drawn twice.
+TEST(HpglIn, PiecesMayTouchTheFrame) {
+  const std::string frame = "PU0,0;PD12000,0,12000,4000,0,4000,0,0;";
+  std::string squares;
+  for (const int x : {0, 4000, 8000}) {
+    const auto at = [&](int right, int up) { return std::to_string(x + right) + "," + std::to_string(up); };
+    squares +=
+        "PU" + at(0, 0) + ";PD" + at(4000, 0) + "," + at(4000, 4000) + "," + at(0, 4000) + "," + at(0, 0) + ";";
+  }
+  const MarkerFile file = plot("IN;SP1;" + frame + squares + frame + "PU;");
+  EXPECT_EQ(file.marker.pieces.size(), 3U);
+  EXPECT_EQ(to_decimal(file.marker.strip.width, file.marker.resolution), 100);
+  EXPECT_TRUE(is_valid(file.marker));
+}
+
 TEST(HpglIn, DashedLinesAndCirclesBecomeInnerLines) {
   const MarkerFile file = read_example("plotter_like.plt");
   std::size_t lines = 0;
