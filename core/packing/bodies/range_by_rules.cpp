@@ -12,7 +12,9 @@ std::optional<Box> range_by_rules(const Marker& marker, const marker::PlacedPiec
   const Polygon outline = oriented(marker.shapes[lying.shape.value].outline, lying.orientation);
   const Coord end = marker.strip.last().value_or(kLatticeLimit);
   const Box room = room_for(rules, own.height(), fold_edge(rules, outline, marker.strip), marker.strip, end);
-  const Box among = placed.room_among(piece, freedom.moving, marker.strip, end);  // along x as in any orientation
+  Strip plain = marker.strip;
+  plain.repeat = {};  // a matched piece may also change to another repeat
+  const Box among = placed.room_among(piece, freedom.moving, plain, end);  // along x as in any orientation
   const Coord along = freedom.clearance;
   const Coord across = rules.on_fold ? 0 : along;
   return Box{{among.low.x + along - own.low.x, room.low.y + across - own.low.y},

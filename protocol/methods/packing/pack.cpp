@@ -39,7 +39,8 @@ struct PackResult {
     v.required("proved", self.proved,
                "Whether it is proved that no layout is shorter, up to the gap, or that there is none.");
     v.required("bound", self.bound,
-               "A proved lower bound on the length of any marker of these pieces, even if the search ended early.");
+               "A proved lower bound on the length of any marker of these pieces with their present tilts, even if the "
+               "search ended early.");
     v.required("placed", self.placed, "Number of pieces that lie on the cloth afterwards.");
     v.required("unplaced", self.unplaced, "Number of pieces that do not lie on the cloth afterwards.");
     v.required("nodes", self.nodes, "Number of nodes searched.");

@@ -38,6 +38,7 @@ std::optional<std::vector<Word>> words_of(std::string_view block) {
       at = static_cast<std::size_t>(end - block.data());
     else if (fault != std::errc::invalid_argument || plus)
       return std::nullopt;
+    if (!std::isfinite(number)) return std::nullopt;  // "nan" and "inf" are text
     words.push_back({static_cast<char>(c), std::clamp(number, -kFarthest, kFarthest)});
   }
   return words;

@@ -41,6 +41,17 @@ TEST(RulesInPacking, SquaresOnTheFoldLieInARow) {
   expect_optimum(marker, 30'000);
 }
 
+TEST(RulesInPacking, AMatchedPieceMayChangeToAnotherRepeat) {
+  Marker marker = squares(2);
+  marker.strip.width = 10'000;
+  marker.strip.repeat.along = 5'000;
+  marker.pieces[1].at.x = 30'000;
+  marker.pieces[1].rules.match = Vec{0, 0};
+  expect_optimum(marker, 20'000);
+  const Box behind{{10'000, 0}, {20'000, 10'000}};
+  EXPECT_EQ(verdict_of(marker, {PieceId{1}}, behind), Verdict::kFound);
+}
+
 TEST(RulesInPacking, ABandMovesTheOptimum) {
   Marker marker = squares(4);
   marker.pieces[0].rules.from = 15'000;

@@ -53,6 +53,15 @@ TEST(CutIn, BlanksInWordsAndMarksOfTheTapeAreSkipped) {
   EXPECT_TRUE(test::has_note(*file, "by G71"));
 }
 
+TEST(CutIn, NanAndInfAreNoNumbers) {
+  for (const std::string word : {"Ynan", "Yinf", "Y-inf"}) {
+    const auto file = protocol::files::read_file(
+        "H1*G71*M70*M15*N1*X0Y0*M14*X1000Y0*X1000Y1000*X0Y1000*X0Y0*M15*X200" + word + "M43*M0*");
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_TRUE(protocol::document::annotations_of(file->attributes.shapes[0]).drills.empty()) << word;
+  }
+}
+
 TEST(CutIn, WithoutNumbersEveryPieceHasWhatLiesInIt) {
   const std::string square = "X1000Y0*X1000Y1000*X0Y1000*X0Y0*M15*";
   const std::string other = "X2000Y0*M14*X3000Y0*X3000Y1000*X2000Y1000*X2000Y0*M15*";

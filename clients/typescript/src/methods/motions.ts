@@ -76,7 +76,7 @@ export interface MotionMethods {
       found: boolean;
       /** Whether it is proved that no layout is shorter, up to the gap, or that there is none. */
       proved: boolean;
-      /** A proved lower bound on the length of any marker of these pieces, even if the search ended early. */
+      /** A proved lower bound on the length of any marker of these pieces with their present tilts, even if the search ended early. */
       bound: number;
       /** Number of pieces that lie on the cloth afterwards. */
       placed: number;

@@ -57,7 +57,7 @@ export interface Notifications {
     round: number;
     /** The marker's length after the round. */
     length: number;
-    /** Only from motion.pack: a proved lower bound on the length of any marker of these pieces. */
+    /** Only from motion.pack: a proved lower bound on the length of any marker of these pieces with their present tilts. */
     bound?: number;
     /** Only from exact searches: number of nodes searched so far. */
     nodes?: number;
