@@ -23,7 +23,8 @@ struct Progress {
     v.required("round", self.round, "The number of the round.");
     v.required("length", self.length, "The marker's length after the round.");
     v.optional("bound", self.bound,
-               "Only from motion.pack: a proved lower bound on the length of any marker of these pieces with their present tilts.");
+               "Only from motion.pack: a proved lower bound on the length of any marker of these pieces with their "
+               "present tilts.");
     v.optional("nodes", self.nodes, "Only from exact searches: number of nodes searched so far.");
   }
 };

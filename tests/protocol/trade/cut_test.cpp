@@ -55,8 +55,8 @@ TEST(CutIn, BlanksInWordsAndMarksOfTheTapeAreSkipped) {
 
 TEST(CutIn, NanAndInfAreNoNumbers) {
   for (const std::string word : {"Ynan", "Yinf", "Y-inf"}) {
-    const auto file = protocol::files::read_file(
-        "H1*G71*M70*M15*N1*X0Y0*M14*X1000Y0*X1000Y1000*X0Y1000*X0Y0*M15*X200" + word + "M43*M0*");
+    const auto file = protocol::files::read_file("H1*G71*M70*M15*N1*X0Y0*M14*X1000Y0*X1000Y1000*X0Y1000*X0Y0*M15*X200" +
+                                                 word + "M43*M0*");
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_TRUE(protocol::document::annotations_of(file->attributes.shapes[0]).drills.empty()) << word;
   }

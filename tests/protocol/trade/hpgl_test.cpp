@@ -65,8 +65,7 @@ TEST(HpglIn, PiecesMayTouchTheFrame) {
   std::string squares;
   for (const int x : {0, 4000, 8000}) {
     const auto at = [&](int right, int up) { return std::to_string(x + right) + "," + std::to_string(up); };
-    squares +=
-        "PU" + at(0, 0) + ";PD" + at(4000, 0) + "," + at(4000, 4000) + "," + at(0, 4000) + "," + at(0, 0) + ";";
+    squares += "PU" + at(0, 0) + ";PD" + at(4000, 0) + "," + at(4000, 4000) + "," + at(0, 4000) + "," + at(0, 0) + ";";
   }
   const MarkerFile file = plot("IN;SP1;" + frame + squares + frame + "PU;");
   EXPECT_EQ(file.marker.pieces.size(), 3U);
