@@ -185,8 +185,16 @@ class Pack(CliTest):
         bound, shorter = map(float, re.search(r"bound +([\d.]+) mm, at most ([\d.]+) % shorter", ran.stdout).groups())
         length = float(re.search(r"length .*-> ([\d.]+) mm", ran.stdout).group(1))
         self.assertAlmostEqual(bound / length, 1 - shorter / 100, places=4)
+        self.assertNotIn("tilts", ran.stdout)
         ran = run("contain", PACKING / "slot.json")
         self.assertIn("pieces       found", ran.stdout)
+
+    def test_the_summary_says_that_a_proof_is_for_the_present_tilts(self):
+        leaning = {"format": "selvage-marker", "version": 1, "strip": {"width": 110},
+                   "shapes": [{"id": "leaning", "outline": [[0, 0], [20, 0], [38, 100], [18, 100]], "tilt_limit": 15}],
+                   "pieces": [{"id": "a", "shape": "leaning", "at": [0, 0]}]}
+        ran = run("pack", self.write(leaning))
+        self.assertIn("the shortest, proved (with the present tilts)", ran.stdout)
 
     def test_refuses_too_many_pieces(self):
         ran = run("pack", MARKERS / "jeans_06g.json")

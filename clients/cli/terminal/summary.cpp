@@ -85,8 +85,8 @@ std::string separation_lines(const Json& fields, const std::string& unit) {
   return out;
 }
 
-// What an exact search has proved.
-std::string search_lines(const Json& fields, const std::string& unit) {
+// What an exact search has proved.  It leaves tilts as they are, so where shapes allow others, that is said.
+std::string search_lines(const Json& fields, const Marker& marker, const std::string& unit) {
   std::string out;
   if (fields.contains("verdict")) out += "  pieces       " + fields["verdict"].text() + "\n";
   if (fields.contains("bound")) {
@@ -100,7 +100,9 @@ std::string search_lines(const Json& fields, const std::string& unit) {
     } else if (bound > 0) {
       out += ", at most " + rounded(100 * (1 - bound / length), 3) + " % shorter";
     }
-    out += "\n";
+    const bool may_tilt =
+        std::ranges::any_of(marker.shapes, [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
+    out += may_tilt ? " (with the present tilts)\n" : "\n";
   }
   if (fields.contains("nodes")) out += "  nodes        " + std::to_string(fields["nodes"].get<std::uint64_t>()) + "\n";
   return out;
@@ -157,7 +159,7 @@ std::string plain_summary(const Json& f, const protocol::execution::StageTimes& 
            unit + "\n";
   }
   if (f.contains("gain")) out += "  gain         " + significant(f["gain"].number()) + unit + "\n";
-  out += search_lines(f, unit);
+  out += search_lines(f, marker, unit);
   if (f.contains("attempts")) out += remake_lines(f);
   if (f.contains("unplaced") && f["unplaced"].get<std::size_t>() > 0) {
     out += "  left over    " + counted(f["unplaced"].get<std::size_t>(), "piece") + "\n";

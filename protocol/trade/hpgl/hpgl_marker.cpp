@@ -33,31 +33,32 @@ bool is_rectangle(const Loop& loop) {
   return true;
 }
 
-struct Frame {
+struct Bounds {
   Spot low, high;
 };
-Frame box_of(const Loop& loop) {
-  Frame box{loop.points.front(), loop.points.front()};
+Bounds bounds_of(const Loop& loop) {
+  Bounds box{loop.points.front(), loop.points.front()};
   for (const Spot& point : loop.points) {
     box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y)};
     box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y)};
   }
   return box;
 }
-bool within(const Frame& inner, const Frame& outer) {
+bool within(const Bounds& inner, const Bounds& outer) {
   return inner.low.x >= outer.low.x - kEndsReach && inner.low.y >= outer.low.y - kEndsReach &&
          inner.high.x <= outer.high.x + kEndsReach && inner.high.y <= outer.high.y + kEndsReach;
 }
 
 // Removes the frame, if there is one: a rectangle, drawn once or more, in whose box everything else lies.  Pieces may
 // touch it.
-std::optional<Frame> take_frame(std::vector<Loop>& closed) {
+std::optional<Bounds> take_frame(std::vector<Loop>& closed) {
   const auto area = [](const Loop& loop) { return std::abs(doubled_area(loop.points)) / 2; };
   const auto largest = std::ranges::max_element(closed, {}, area);
   if (largest == closed.end() || !is_rectangle(*largest)) return std::nullopt;
-  const Frame frame = box_of(*largest);
-  const auto is_frame = [&](const Loop& loop) { return is_rectangle(loop) && within(frame, box_of(loop)); };
-  if (!std::ranges::all_of(closed, [&](const Loop& loop) { return within(box_of(loop), frame); })) return std::nullopt;
+  const Bounds frame = bounds_of(*largest);
+  const auto is_frame = [&](const Loop& loop) { return is_rectangle(loop) && within(frame, bounds_of(loop)); };
+  if (!std::ranges::all_of(closed, [&](const Loop& loop) { return within(bounds_of(loop), frame); }))
+    return std::nullopt;
   if (std::ranges::none_of(closed, [&](const Loop& loop) { return area(loop) >= kLeastPiece && !is_frame(loop); })) {
     return std::nullopt;
   }
@@ -140,7 +141,7 @@ class PlotReader {
 
   PenStrokes strokes_;
   std::vector<NestedLoop> outlines_;
-  std::optional<Frame> frame_;
+  std::optional<Bounds> frame_;
   Spot corner_{};
   PlacedMarker marker_;
   std::size_t outside_{};
