@@ -1,5 +1,6 @@
-// A tree of bounding boxes over the edges of a sum, used to find the edges near a place.  The first level has a box for
-// every kFan consecutive edges, the next a box for every kFan consecutive boxes, and so on up to a single box.
+// A tree of bounding boxes over the edges of a sum, or over other things in a row, used to find those near a place. The
+// first level has a box for every kFan consecutive edges, the next a box for every kFan consecutive boxes, and so on up
+// to a single box.
 // Units: lattice units.
 #pragma once
 
@@ -23,9 +24,10 @@ class BoxTree {
 
   BoxTree() = default;
   explicit BoxTree(std::span<const convolution::SumEdge> edges);
+  explicit BoxTree(std::span<const Box> leaves);
 
-  // The number of levels above the edges.  Level 0 is the edges; the highest level is a single box that contains all
-  // edges.  Without edges there is only level 0.
+  // The number of levels above the leaves.  Level 0 is the leaves, edges or boxes; the highest level is a single box
+  // that contains all of them.  Without leaves there is only level 0.
   [[nodiscard]] std::size_t levels() const { return level_start_.size() - 1; }
   // REQUIRES: 1 <= level <= levels().
   [[nodiscard]] const Box& box(std::size_t level, std::size_t index) const {
@@ -40,11 +42,13 @@ class BoxTree {
   }
 
  private:
+  template <class BoxOf>
+  void build(BoxOf box_of_leaf);
   [[nodiscard]] std::size_t size(std::size_t level) const {
-    return level == 0 ? edges_ : level_start_[level] - level_start_[level - 1];
+    return level == 0 ? leaves_ : level_start_[level] - level_start_[level - 1];
   }
 
-  std::size_t edges_{};
+  std::size_t leaves_{};
   std::vector<Box> boxes_;                   // level by level, starting with level 1
   std::vector<std::size_t> level_start_{0};  // start of each level in `boxes_`, and the end
 };

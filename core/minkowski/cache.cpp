@@ -52,8 +52,10 @@ StoredAs stored_as(const outline::OrientedOutline& p, const outline::OrientedOut
 }
 
 using Sum = std::shared_ptr<const MinkowskiSum>;
-Sum make(const Key& key) {
-  return std::make_shared<const MinkowskiSum>(obstacle_sum(*key.p, *key.q, key.relative));
+// Null when cancelled.
+Sum make(const Key& key, const std::stop_token& stop) {
+  auto sum = obstacle_sum(*key.p, *key.q, key.relative, stop);
+  return sum ? std::make_shared<const MinkowskiSum>(*std::move(sum)) : nullptr;
 }
 
 constexpr std::size_t kBlock = 4;  // consecutive sums computed by one part of the parallel task
@@ -218,14 +220,20 @@ SumCache::SumCache(std::size_t limit_bytes) : store_{std::make_unique<Store>()} 
 SumCache::~SumCache() = default;
 
 Obstacle SumCache::obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q) {
+  return *obstacle(p, q, {});
+}
+
+std::optional<Obstacle> SumCache::obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q,
+                                           const std::stop_token& stop) {
   const StoredAs kept = stored_as(p, q);
   Sum sum = store_->find(kept.key);
   store_->count(sum ? 1 : 0, sum ? 0 : 1);
   if (!sum) {
-    sum = make(kept.key);
+    sum = make(kept.key, stop);
+    if (!sum) return {};
     store_->keep(kept.key, sum);
   }
-  return {std::move(sum), kept.frame, kept.swapped};
+  return Obstacle{std::move(sum), kept.frame, kept.swapped};
 }
 
 std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, const Executor& executor,
@@ -244,7 +252,7 @@ std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, co
   store_->count(pairs.size() - missing.size(), missing.size());
 
   const auto made = gathered<Sum>(executor, missing.size(), kBlock, [&](std::size_t k, std::vector<Sum>& out) {
-    out.push_back(stop.stop_requested() ? nullptr : make(missing[k]));
+    out.push_back(stop.stop_requested() ? nullptr : make(missing[k], stop));
   });
   for (std::size_t k = 0; k < missing.size(); ++k) {
     if (!made[k]) return {};

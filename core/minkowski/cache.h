@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <utility>
@@ -74,8 +75,11 @@ class SumCache {
   // Returns the obstacle of a pair, computing its sum if necessary.  The least recently used entries are evicted when
   // the limit is exceeded; an obstacle shares ownership of its sum, so it stays usable.
   [[nodiscard]] Obstacle obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q);
+  // The same; nothing when cancelled while its sum is computed.
+  [[nodiscard]] std::optional<Obstacle> obstacle(const outline::OrientedOutline& p, const outline::OrientedOutline& q,
+                                                 const std::stop_token& stop);
   // Returns one obstacle per pair.  Missing sums are computed in parallel by the executor, each exactly once.  When
-  // cancelled, it begins no further sum and returns nothing.
+  // cancelled, it returns none and finishes no further sum.
   [[nodiscard]] std::vector<Obstacle> obstacles(std::span<const OutlinePair> pairs, const Executor& executor,
                                                 const std::stop_token& stop = {});
 

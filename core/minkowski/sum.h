@@ -7,7 +7,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/minkowski/box_tree.h"
@@ -18,7 +20,11 @@ namespace selvage::minkowski {
 
 class MinkowskiSum {
  public:
+  // The union of the rings.  REQUIRES: there are some.
   explicit MinkowskiSum(std::vector<convolution::StarSum> rings);
+  // The same; nothing when cancelled, which is checked once for each ring.
+  [[nodiscard]] static std::optional<MinkowskiSum> united(std::vector<convolution::StarSum> rings,
+                                                          const std::stop_token& stop);
 
   // The edges of the union's boundary.  Edges of the same ring are consecutive, and edges inside another ring are left
   // out.
@@ -36,6 +42,8 @@ class MinkowskiSum {
   [[nodiscard]] const BoxTree& tree() const { return tree_; }
 
  private:
+  MinkowskiSum() = default;
+
   std::vector<convolution::StarSum> rings_;
   std::vector<Box> ring_boxes_;
   std::vector<convolution::SumEdge> visible_;  // used only when there are several rings
@@ -48,5 +56,8 @@ class MinkowskiSum {
                                          std::span<const outline::StarPart> second);
 // P (+) -(Q under `relative`): two pieces overlap exactly when the position of Q relative to P lies in its interior.
 [[nodiscard]] MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative);
+// The same; nothing when cancelled, which is checked once for each pair of parts and for each ring.
+[[nodiscard]] std::optional<MinkowskiSum> obstacle_sum(const outline::Outline& p, const outline::Outline& q,
+                                                       Symmetry relative, const std::stop_token& stop);
 
 }  // namespace selvage::minkowski

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -31,6 +32,11 @@ struct Scene {
   [[nodiscard]] minkowski::Obstacle obstacle(marker::PiecePair pair) const {
     const auto [p, q] = pair;
     return sums.obstacle(outline_facing(p, q), outline_facing(q, p));
+  }
+  // The same; nothing when cancelled.
+  [[nodiscard]] std::optional<minkowski::Obstacle> obstacle(marker::PiecePair pair, const std::stop_token& stop) const {
+    const auto [p, q] = pair;
+    return sums.obstacle(outline_facing(p, q), outline_facing(q, p), stop);
   }
   // The outline of a piece, or of its part where the other one meets nothing else of it.
   [[nodiscard]] const outline::OrientedOutline& outline_facing(std::size_t piece, std::size_t other) const {

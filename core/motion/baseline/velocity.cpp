@@ -78,8 +78,10 @@ class Simulation {
     near_.clear();
     for (const marker::PiecePair& pair :
          pairs_within(scene_.pieces, std::llround(2 * horizon_) + scene_.pieces.widest_spacing())) {
-      if (run_.stopped()) return;
-      if (!scene_.ties.joined(pair.first, pair.second)) near_.push_back({pair, scene_.obstacle(pair)});
+      if (scene_.ties.joined(pair.first, pair.second)) continue;
+      auto obstacle = scene_.obstacle(pair, run_.stop);
+      if (!obstacle || run_.stopped()) return;
+      near_.push_back({pair, *std::move(obstacle)});
     }
   }
 

@@ -65,8 +65,9 @@ class Loads {
       if (run.stopped()) return;
       if (scene_.ties.joined(pair.first, pair.second)) continue;
       const Coord spacing = scene_.pieces.spacing(pair);
-      const minkowski::Obstacle obstacle = scene_.obstacle(pair);
-      for (const model::PairRow& row : pair_rows(pair, position_of(obstacle, scene_.relative_position(pair), spacing),
+      const auto obstacle = scene_.obstacle(pair, run.stop);
+      if (!obstacle) return;
+      for (const model::PairRow& row : pair_rows(pair, position_of(*obstacle, scene_.relative_position(pair), spacing),
                                                  model::region_within(reach, spacing), {unit})) {
         rows_.push_back({row, {}});
       }

@@ -86,8 +86,9 @@ std::vector<WidthRow> width_rows(const scene::Scene& scene, const FloatAim& aim,
     const Coord overlap = std::max(-now, Coord{0});
     const model::RegionSettings region{model::RegionRule::kGreedy, 3 * trust + aim.most, std::max(now, Coord{0}),
                                        apart};
-    const minkowski::Obstacle obstacle = scene.obstacle(pair);
-    for (const model::FreeSide& side : free_sides({obstacle, r, r, -overlap}, region)) {
+    const auto obstacle = scene.obstacle(pair, stop);
+    if (!obstacle) return rows;
+    for (const model::FreeSide& side : free_sides({*obstacle, r, r, -overlap}, region)) {
       WidthRow row{k, 0, 0, side.slack - static_cast<double>(overlap), 0};
       const model::PairRow moved = row_of(pair, side, unit, model::TightRows::kRestore);
       row.nx = moved.nx;

@@ -184,19 +184,23 @@ class Bumper {
       const Box own = scene_.pieces[member.piece].box.moved(at_ + member.offset).grown(std::llround(reach_) + spacing_);
       for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
         if (moves_[other] || scene_.pieces.may_share_cloth(member.piece, other)) continue;
-        if (own.overlaps(scene_.pieces.box(other))) neighbours_.push_back(met(member, other));
+        if (own.overlaps(scene_.pieces.box(other))) {
+          const auto found = met(member, other);
+          if (!found) return;
+          neighbours_.push_back(*found);
+        }
       }
     }
   }
-  // Its place in met_.  Kept because every position needs it, and the cache of sums would be locked each time.
-  std::size_t met(const Member& member, std::uint32_t other) {
-    const auto [known, is_new] = met_at_.try_emplace(std::uint64_t{member.piece} << 32 | other, met_.size());
-    if (is_new) {
-      met_.push_back({member, other, scene_.pieces.spacing({member.piece, other}),
-                      scene_.sums.obstacle(scene_.outline_facing(other, member.piece),
-                                           scene_.outline_facing(member.piece, other))});
-    }
-    return known->second;
+  // Its place in met_; nothing when cancelled.  Kept because every position needs it, and the cache of sums would be
+  // locked each time.
+  std::optional<std::size_t> met(const Member& member, std::uint32_t other) {
+    const std::uint64_t key = std::uint64_t{member.piece} << 32 | other;
+    if (const auto known = met_at_.find(key); known != met_at_.end()) return known->second;
+    auto obstacle = scene_.obstacle({other, member.piece}, stop_);
+    if (!obstacle) return {};
+    met_.push_back({member, other, scene_.pieces.spacing({member.piece, other}), *std::move(obstacle)});
+    return met_at_.emplace(key, met_.size() - 1).first->second;
   }
   void add_sides(const Met& met, double towards_x, double towards_y) {
     const Vec r = at_ + met.member.offset - scene_.pieces.at(met.other);

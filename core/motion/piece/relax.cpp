@@ -75,8 +75,9 @@ class Relaxer {
       const geometry::PlacedPolygon still = scene_.pieces[other];
       const Coord spacing = scene_.pieces.spacing({index_, other});
       const bool by_part = scene_.pieces.shows_part(index_, other);
-      const minkowski::Obstacle obstacle =
-          scene_.sums.obstacle(scene_.outlines[other], by_part ? part_outline_ : outline_);
+      const auto found = scene_.sums.obstacle(scene_.outlines[other], by_part ? part_outline_ : outline_, stop_);
+      if (!found) return false;
+      const minkowski::Obstacle& obstacle = *found;
       const Vec r = piece_.at - still.at;
       const bool apart = !overlap(still, by_part ? placed_part() : placed());
       const Vec about = apart ? r : separation_target(obstacle, r, true, repair::TargetRule::kNearest).about;

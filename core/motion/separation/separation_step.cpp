@@ -44,10 +44,10 @@ class SeparationProgram {
       if (stop.stop_requested()) return;
       const bool overlaps = overlap != overlapping.end() && overlap->pair == pair;
       if (overlaps) {
-        add_pair(pair, overlap->target.about, overlap->price);
+        add_pair(pair, overlap->target.about, overlap->price, stop);
         ++overlap;
       } else if (reached_.holds_any(pair)) {
-        add_pair(pair, scene_.relative_position(pair), settings_.price);
+        add_pair(pair, scene_.relative_position(pair), settings_.price, stop);
       }
     }
   }
@@ -84,13 +84,15 @@ class SeparationProgram {
   [[nodiscard]] const lp::LinearProgram& program() const { return model_.program(); }
 
  private:
-  // The rows of one pair; those that its present position violates may all stay violated by the same amount.
-  void add_pair(marker::PiecePair pair, Vec about, double price) {
+  // The rows of one pair, none when cancelled; those that its present position violates may all stay violated by the
+  // same amount.
+  void add_pair(marker::PiecePair pair, Vec about, double price, const std::stop_token& stop) {
     if (scene_.ties.joined(pair.first, pair.second)) return;
     const Coord spacing = scene_.pieces.spacing(pair);
     const Vec r = scene_.relative_position(pair);
-    const minkowski::Obstacle obstacle = scene_.obstacle(pair);
-    const auto rows = pair_rows(pair, {obstacle, r, about, spacing}, model::region_within(settings_.reach, spacing),
+    const auto obstacle = scene_.obstacle(pair, stop);
+    if (!obstacle) return;
+    const auto rows = pair_rows(pair, {*obstacle, r, about, spacing}, model::region_within(settings_.reach, spacing),
                                 {model_.unit(), settings_.tight});
     std::optional<int> give;
     if (std::any_of(rows.begin(), rows.end(), [](const model::PairRow& row) { return row.bound > 0; })) {

@@ -39,5 +39,17 @@ TEST(Oracle, AgreesOnLargeLattices) {
   }
 }
 
+// The sums of the parts are far more than those that are all compared with each other, and many repeat or lie within
+// others.
+TEST(Oracle, AgreesOnManyTeeth) {
+  Random random{104};
+  for (int trial = 0; trial < 60 / kSlowdown && !HasFailure(); ++trial) {
+    const auto teeth = [&] { return static_cast<std::size_t>(random.between(6, 12)); };
+    const Polygon p = random_comb(random, teeth(), 1'000'000, trial % 3 == 0);
+    const Polygon q = trial % 2 == 0 ? p : random_comb(random, teeth(), random.between(100'000, 1'000'000), false);
+    expect_laws(p, transformed(q, random.symmetry()));
+  }
+}
+
 }  // namespace
 }  // namespace selvage::test

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stop_token>
 
 #include "core/minkowski/convolution/convex_sum.h"
 #include "core/minkowski/sum.h"
@@ -150,6 +151,23 @@ TEST(Sum, OfAPolygonAndItsReflectionContainsTheOrigin) {
 }
 
 // Complete small cases with holes, slots and closed rings.
+// Two saws of n equal teeth have n * n sums of teeth, of which 2 n - 1 differ.
+TEST(Sum, HasEachRingOnce) {
+  const auto saw_outline = outline::make_outline(saw(40, 1000, 5000));
+  const std::size_t parts = saw_outline->parts.size();
+  const auto sum = minkowski::obstacle_sum(*saw_outline, *saw_outline, {});
+  EXPECT_GT(parts * parts, 1000U);
+  EXPECT_LT(sum.rings().size(), 8 * parts);
+}
+
+TEST(Sum, IsNothingWhenCancelled) {
+  const auto comb = outline::make_outline(saw(40, 1000, 5000));
+  std::stop_source source;
+  EXPECT_TRUE(minkowski::obstacle_sum(*comb, *comb, {}, source.get_token()));
+  source.request_stop();
+  EXPECT_FALSE(minkowski::obstacle_sum(*comb, *comb, {}, source.get_token()));
+}
+
 TEST(Sum, HasAHoleWhereAPieceFitsLoosely) {
   const Polygon ring = scaled(broken_ring(30, 5, 2), 100);
   const Polygon square = scaled({{0, 0}, {6, 0}, {6, 6}, {0, 6}}, 100);

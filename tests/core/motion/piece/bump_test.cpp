@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <stop_token>
+#include <thread>
 
 #include "core/marker/validity.h"
 #include "tests/core/motion/markers.h"
+#include "tests/support/polygons.h"
 
 namespace selvage::motion::piece {
 namespace {
@@ -59,6 +62,26 @@ TEST(Bump, DoesNotMoveLockedPieces) {
   Layout layout{1000};
   layout.put(layout.shape_of(test::rectangle(300, 200)), {5000, 400}, 0, true);
   EXPECT_EQ(bumped(layout.marker(), 0, -1, 0).at, (Vec{5000, 400}));
+}
+
+// The sum of two combs of 200 teeth takes seconds.
+TEST(Bump, IsCancelledWhileItsSumIsComputed) {
+  Layout layout{4'000'000};
+  test::Random random{5};
+  const auto comb = layout.shape_of(test::random_comb(random, 200, 1'000'000, true));
+  layout.put(comb, {0, 0}).put(comb, {1'000'000, 3'500'000}, 180);
+  const Marker marker = layout.marker();
+  SumCache sums;
+  std::stop_source source;
+  const std::jthread later{[&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    source.request_stop();
+  }};
+  const auto stopped = repair_and_bump(marker, PieceId{0}, 0, 1, {sums, source.get_token()});
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
+  EXPECT_TRUE(is_valid(stopped->marker));
+  EXPECT_EQ(sums.counts().entries, 0U);
 }
 
 TEST(Bump, StaysWhenCancelled) {
