@@ -29,7 +29,7 @@ using run::Outcome;
 using terminal::ExitCode;
 
 Result<MarkerFile> load(const MarkerFiles& files) {
-  return overridden(terminal::load_marker(files.in), files.overrides);
+  return overridden(terminal::load_marker(files.in.path), files.overrides);
 }
 
 std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, const Marker& start, const Json& params) {

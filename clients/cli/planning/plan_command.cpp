@@ -163,7 +163,11 @@ Result<protocol::trade::orders::Order> order_in(const std::string& text, const s
 }
 
 ExitCode run_plan_command(const command_line::Values& values) {
-  if (const auto failure = commands::check_writable({values.text("out"), values.text("html")})) return report(*failure);
+  std::vector<commands::NamedFile> read = commands::files_of(commands::server_choice(values));
+  for (const char* const option : {"ORDER", "--style", "--rules"})
+    read.push_back({option, values.text(std::string_view{option}.substr(*option == '-' ? 2 : 0))});
+  const std::vector<commands::NamedFile> written{{"--out", values.text("out")}, {"--html", values.text("html")}};
+  if (const auto failure = commands::check_files(read, written)) return report(*failure);
   const auto text = terminal::read_text(values.text("ORDER"));
   if (!text) return terminal::report(text.error());
   const auto order = order_in(*text, values.text("ORDER"));

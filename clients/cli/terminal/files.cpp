@@ -74,6 +74,17 @@ std::optional<Error> write_whole(const std::string& path, std::string_view text)
   return file_error(path, "written");
 }
 
+// The whole name without links, also of a file that does not exist yet and to which a link leads.
+std::filesystem::path resolved(const std::string& name) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;
+  std::error_code ignored;
+  fs::path path = fs::absolute(name, ignored);
+  for (int k = 0; k < kMostLinks && fs::is_symlink(path, ignored) && !fs::exists(path, ignored); ++k)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  return fs::weakly_canonical(path, ignored);
+}
+
 }  // namespace
 
 Result<std::string> read_text(const std::string& path) {
@@ -111,6 +122,15 @@ std::optional<Error> why_not_writable(const std::string& path) {
   const bool exists = fs::exists(path, ignored);
   if (access(exists ? path.c_str() : folder.c_str(), exists ? W_OK : W_OK | X_OK) == 0) return std::nullopt;
   return file_error(path, "written");
+}
+
+bool name_one_file(const std::string& first, const std::string& second) {
+  if (first.empty() || second.empty() || first == kStandardStream || second == kStandardStream) return false;
+  std::error_code ignored;
+  const std::filesystem::path one = resolved(first);
+  const auto status = std::filesystem::status(one, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return false;
+  return one == resolved(second);
 }
 
 Result<MarkerFile> load_marker(const std::string& path, const protocol::trade::ReadingOptions& options) {
