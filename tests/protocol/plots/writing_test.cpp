@@ -113,6 +113,50 @@ TEST(Writing, OpenHolesAreCutOnceAndWithoutTheirSlits) {
   }
 }
 
+// A frame around a frame around a square, drawn from the outside to the inside, and a square beside them.
+MarkerFile nested_frames() {
+  MarkerFile file = test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "", "strip": {"width": 400},
+    "shapes": [{"id": "large", "outline": [[0, 0], [400, 0], [400, 400], [0, 400]],
+                "holes": [[[50, 50], [350, 50], [350, 350], [50, 350]]]},
+               {"id": "small", "outline": [[0, 0], [200, 0], [200, 200], [0, 200]],
+                "holes": [[[40, 40], [160, 40], [160, 160], [40, 160]]]},
+               {"id": "square", "outline": [[0, 0], [40, 0], [40, 40], [0, 40]]}],
+    "pieces": [{"id": "outer", "shape": "large", "at": [0, 0]}, {"id": "inner", "shape": "small", "at": [100, 100]},
+               {"id": "middle", "shape": "square", "at": [180, 180]},
+               {"id": "beside", "shape": "square", "at": [400, 0]}]})"));
+  auto open = protocol::edits::with_cloth(std::move(file), {.open_holes = true});
+  if (!open) throw std::runtime_error(open.error().message);
+  return *std::move(open);
+}
+
+TEST(Cut, WhatLiesInAHoleIsCutBeforeThePieceAroundIt) {
+  const std::string text = written(nested_frames(), FileFormat::kCut);
+  const auto place = [&](const char* label) { return text.find("M31*" + std::string{label} + "*"); };
+  ASSERT_NE(place("beside"), std::string::npos);
+  ASSERT_NE(place("outer"), std::string::npos);
+  EXPECT_LT(place("middle"), place("inner"));
+  EXPECT_LT(place("inner"), place("outer"));
+}
+
+// Whether the spot lies on the cloth of the outer frame, at least this far from its edges.
+bool on_outer_frame(double x, double y, double least) {
+  const double from_outside = std::min({x, y, 400 - x, 400 - y});
+  return from_outside >= least && from_outside <= 50 - least;
+}
+
+TEST(Writing, TheLabelOfAPieceWithAHoleLiesOnItsCloth) {
+  const std::string cut = written(nested_frames(), FileFormat::kCut);
+  const std::size_t label = cut.find("M31*outer*"), begin = cut.rfind('X', label);
+  const double x = std::stod(cut.substr(begin + 1)), y = std::stod(cut.substr(cut.find('Y', begin) + 1));
+  EXPECT_TRUE(on_outer_frame(x / 10, y / 10, 10)) << x << " " << y;
+
+  const std::string plot = written(nested_frames(), FileFormat::kHpgl);
+  const std::size_t pen = plot.rfind("PU", plot.find("LBouter"));
+  const double left = std::stod(plot.substr(pen + 2)), low = std::stod(plot.substr(plot.find(',', pen) + 1));
+  EXPECT_TRUE(on_outer_frame(left / 40, low / 40, 5)) << left << " " << low;
+}
+
 TEST(DxfNest, IsInInchesForAMarkerInInches) {
   MarkerFile file = rich_marker();
   file.marker.unit = "in";
