@@ -23,13 +23,6 @@ std::string point(Spot spot) {
   return "X" + number(spot.x) + "Y" + number(spot.y);
 }
 
-// The text without characters that end a block.
-std::string label_text(const std::string& text) {
-  std::string label = in_ascii(text);
-  std::replace(label.begin(), label.end(), '*', '.');
-  return label.empty() ? "-" : label;
-}
-
 double distance(Spot a, Spot b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
@@ -42,7 +35,7 @@ class Cutter {
     std::vector<std::vector<Spot>> outlines;
     for (const SheetPiece& piece : sheet_.pieces) outlines.push_back(piece.outline);
     const Route route = route_through(outlines, pieces_in_holes(sheet_));
-    text_ = "H1*G71*M70*M15*M20*" + label_text(sheet_.name) + "*";
+    text_ = "H1*G71*M70*M15*M20*" + cut_label(sheet_.name) + "*";
     std::size_t number_of_piece = 0;
     for (const RouteStop& stop : route.stops) {
       text_ += "N" + std::to_string(++number_of_piece) + "*";
@@ -54,7 +47,7 @@ class Cutter {
 
  private:
   void cut_piece(const SheetPiece& piece, std::size_t first) {
-    text_ += point(label_place(piece, kLabelAspect, kLabelHeight).middle) + "M31*" + label_text(piece.label) + "*";
+    text_ += point(label_place(piece, kLabelAspect, kLabelHeight).middle) + "M31*" + cut_label(piece.label) + "*";
     for (const Spot& drill : piece.annotations.drills) text_ += point(drill) + "M43*";
     Spot here = piece.outline[first];
     for (const document::Notch& notch : piece.annotations.notches) {
@@ -87,6 +80,12 @@ class Cutter {
 };
 
 }  // namespace
+
+std::string cut_label(const std::string& text) {
+  std::string label = in_ascii(text);
+  std::replace(label.begin(), label.end(), '*', '.');
+  return label.empty() ? "-" : label;
+}
 
 CutFile cut_file(const Sheet& sheet) {
   return Cutter{sheet}.write();

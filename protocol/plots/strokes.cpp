@@ -84,8 +84,8 @@ Plot plot_of(const Sheet& sheet) {
       {StrokeStyle::kFrame, true, {{0, 0}, {sheet.length, 0}, {sheet.length, sheet.width}, {0, sheet.width}}});
   for (const SheetPiece& piece : sheet.pieces) {
     plot.strokes.push_back({StrokeStyle::kOutline, true, piece.outline});
+    add_label(plot, piece);  // first: what reads plots takes the first label in a piece for its name
     add_annotations(plot, piece);
-    add_label(plot, piece);
   }
   return plot;
 }

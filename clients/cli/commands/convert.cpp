@@ -11,6 +11,7 @@
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/summary.h"
+#include "protocol/files/losses.h"
 #include "protocol/files/writing.h"
 #include "protocol/plots/cut_file.h"
 
@@ -35,7 +36,7 @@ ExitCode write_as(const MarkerFile& file, FileFormat format, const std::string& 
   const auto text = text_of(file, format, server);
   if (const auto* failure = std::get_if<terminal::Failure>(&text)) return terminal::report(*failure);
   if (const auto error = terminal::write_text(path, std::get<std::string>(text))) return terminal::report(*error);
-  terminal::note_left_out(file.marker, format);
+  terminal::print_notes(protocol::files::losses(file, format));
   return ExitCode::kOk;
 }
 

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "clients/cli/terminal/style.h"
+#include "protocol/files/losses.h"
 #include "protocol/files/writing.h"
 #include "protocol/json/fields.h"
 #include "protocol/json/json_text.h"
@@ -146,19 +147,8 @@ std::optional<Error> save_marker(const std::string& path, const MarkerFile& file
   const auto text = protocol::files::write_marker(file, format);
   if (!text) return text.error();
   if (auto error = write_text(path, *text)) return error;
-  note_left_out(file.marker, format);
+  print_notes(protocol::files::losses(file, format));
   return std::nullopt;
-}
-
-void note_left_out(const Marker& marker, protocol::files::FileFormat format) {
-  using protocol::files::FileFormat;
-  static constexpr FileFormat kListing[] = {FileFormat::kNative, FileFormat::kSparrow, FileFormat::kEsicup,
-                                            FileFormat::kOutlines};
-  const std::size_t count = marker.unplaced.size();
-  const bool listing = std::find(std::begin(kListing), std::end(kListing), format) != std::end(kListing);
-  if (count == 0 || listing) return;
-  print_notes({{"", std::to_string(count) + (count == 1 ? " unplaced piece is" : " unplaced pieces are") +
-                        " left out; native, sparrow and esicup files list them"}});
 }
 
 void print_notes(const std::vector<Note>& notes) {

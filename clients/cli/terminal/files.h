@@ -37,7 +37,5 @@ inline constexpr std::string_view kStandardStream = "-";
 // Prints the notes of a reader to stderr: the first few different ones, and how many more there are.  Notes of the same
 // text are printed once, with their number.
 void print_notes(const std::vector<Note>& notes);
-// Prints a note if the marker has unplaced pieces and the format to which it was written does not list them.
-void note_left_out(const Marker& marker, protocol::files::FileFormat format);
 
 }  // namespace selvage::cli::terminal
