@@ -102,8 +102,10 @@ std::optional<terminal::Failure> check_convert_output(const command_line::Values
   std::vector<NamedFile> read = files_of(server_choice(values));
   read.push_back({"--rules", values.text("rules")});
   read.push_back({"--order", values.text("order")});
-  if (!may_replace_input(out, format)) read.push_back({"IN", values.text("IN")});
-  return check_files(read, {written_by(values, "out", out)});
+  std::vector<NamedFile> all = read;
+  all.insert(all.begin(), {"IN", values.text("IN")});
+  if (auto failure = check_inputs(all)) return failure;
+  return check_files(may_replace_input(out, format) ? read : all, {written_by(values, "out", out)});
 }
 
 ExitCode run_convert(const command_line::Values& values) {

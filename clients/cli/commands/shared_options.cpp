@@ -138,16 +138,29 @@ std::optional<terminal::Failure> check_outputs(const MarkerFiles& files, const s
     return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
   std::vector<NamedFile> read = files_of(files.server);
   read.insert(read.end(), also_read.begin(), also_read.end());
-  if (!may_replace_input(files.out, files.format)) read.push_back(files.in);
+  std::vector<NamedFile> all = read;
+  all.insert(all.begin(), files.in);
   const std::vector<NamedFile> others{{"--svg", files.svg}, {"--outlines", files.outlines}};
   std::vector<NamedFile> written = others;
   written.insert(written.begin(), {"--out", files.out});
-  if (auto failure = check_files(read, written)) return failure;
-  return check_files({files.in}, others);
+  if (auto failure = check_files(all, others)) return failure;
+  return check_files(may_replace_input(files.out, files.format) ? read : all, written);
+}
+
+std::optional<terminal::Failure> check_inputs(const std::vector<NamedFile>& read) {
+  const NamedFile* first = nullptr;
+  for (const NamedFile& input : read) {
+    if (input.path != terminal::kStandardStream) continue;
+    if (first != nullptr)
+      return terminal::bad_usage("only one of " + first->option + " and " + input.option + " can be standard input");
+    first = &input;
+  }
+  return std::nullopt;
 }
 
 std::optional<terminal::Failure> check_files(const std::vector<NamedFile>& read,
                                              const std::vector<NamedFile>& written) {
+  if (auto failure = check_inputs(read)) return failure;
   for (auto one = written.begin(); one != written.end(); ++one) {
     if (one->path.empty()) continue;
     for (const NamedFile& input : read) {

@@ -65,7 +65,9 @@ struct MarkerFiles {
 // files that the command reads besides.
 [[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files,
                                                              const std::vector<NamedFile>& also_read = {});
-// The same for a command that writes other files.
+// Checks that at most one of the files is standard input.
+[[nodiscard]] std::optional<terminal::Failure> check_inputs(const std::vector<NamedFile>& read);
+// check_inputs, and the same as check_outputs for a command that writes other files.
 [[nodiscard]] std::optional<terminal::Failure> check_files(const std::vector<NamedFile>& read,
                                                            const std::vector<NamedFile>& written);
 
