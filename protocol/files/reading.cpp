@@ -61,7 +61,8 @@ Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
   auto style = trade::aama::read_pattern(text, options);
   if (!style) return style.error();
   if (options.fold == trade::FoldRule::kLay) trade::cut_from_two_layers(*style);
-  for (const Note& note : order->notes) style->notes.push_back({note.field.empty() ? "" : "/order" + note.field, note.text});
+  for (const Note& note : order->notes)
+    style->notes.push_back({note.field.empty() ? "" : "/order" + note.field, note.text});
   note_mismatches(*order, *style);
   const auto copies = trade::orders::bundles_of(*style, *order);
   if (!copies) return json::within("/order", copies.error());

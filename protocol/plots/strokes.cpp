@@ -71,8 +71,8 @@ void add_label(Plot& plot, const SheetPiece& piece) {
   const double half = aspect * place.height / 2;
   const double letters = place.height * 0.7;  // of the line's height
   const Spot middle = place.middle;
-  const Spot at = place.upright ? Spot{middle.x + letters / 2, middle.y - half}
-                                : Spot{middle.x - half, middle.y - letters / 2};
+  const Spot at =
+      place.upright ? Spot{middle.x + letters / 2, middle.y - half} : Spot{middle.x - half, middle.y - letters / 2};
   plot.labels.push_back({piece.label, at, letters, place.upright ? 90.0 : 0.0});
 }
 

@@ -129,7 +129,8 @@ constexpr std::string_view kEscape = "\\U+";
 // The number of an escape such as \U+00E4 at this place.
 std::optional<unsigned> escaped_at(const std::string& text, std::size_t at) {
   constexpr std::size_t kDigits = 4;
-  if (at + kEscape.size() + kDigits > text.size() || text.compare(at, kEscape.size(), kEscape) != 0) return std::nullopt;
+  if (at + kEscape.size() + kDigits > text.size() || text.compare(at, kEscape.size(), kEscape) != 0)
+    return std::nullopt;
   const char* const first = text.data() + at + kEscape.size();
   unsigned code{};
   return std::from_chars(first, first + kDigits, code, 16).ptr == first + kDigits ? std::optional{code} : std::nullopt;

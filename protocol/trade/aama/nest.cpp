@@ -224,11 +224,8 @@ class NestReader {
     piece.piece.locked = Locks{has('x'), has('y'), has('t')};
     written_.pieces.push_back(std::move(piece));
     Json kept = Json::object();
-    for (const auto& [key, word] : {std::pair{"BUNDLE", "bundle"},
-                                    {"SIZE", "size"},
-                                    {"STYLE", "style"},
-                                    {"SIDE", "side"},
-                                    {"LABEL", "label"}}) {
+    for (const auto& [key, word] :
+         {std::pair{"BUNDLE", "bundle"}, {"SIZE", "size"}, {"STYLE", "style"}, {"SIDE", "side"}, {"LABEL", "label"}}) {
       if (const std::string value = name_in(attributes, key); !value.empty()) kept[word] = value;
     }
     attributes_.pieces.push_back(std::move(kept));

@@ -1,8 +1,8 @@
 // The nesting XML of ESICUP (github.com/ESICUP/datasets): a lot of pieces, a board, and perhaps solutions.
 //
 // Its coordinates grow downwards from the upper left ("up-left"); ours grow upwards, so y and angles change sign.  The
-// format has no unit: the caller's or millimetres are assumed when it is read, and millimetres are written.  The shortest solution
-// places the pieces; without one they lie in columns, as those of a pattern do.
+// format has no unit: the caller's or millimetres are assumed when it is read, and millimetres are written.  The
+// shortest solution places the pieces; without one they lie in columns, as those of a pattern do.
 #pragma once
 
 #include <optional>

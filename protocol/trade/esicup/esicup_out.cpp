@@ -17,10 +17,12 @@ struct Steps {
   Coord count;
   int exponent;
 };
-constexpr Steps kUnits[] = {{"mm", 1, 0}, {"cm", 1, 1}, {"m", 1, 3}, {"in", 254, -1}, {"inch", 254, -1}, {"ft", 3048, -1}, {"yd", 9144, -1}};
+constexpr Steps kUnits[] = {{"mm", 1, 0},      {"cm", 1, 1},     {"m", 1, 3},     {"in", 254, -1},
+                            {"inch", 254, -1}, {"ft", 3048, -1}, {"yd", 9144, -1}};
 
 const Steps* steps_of(const std::string& unit) {
-  const auto* const found = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Steps& one) { return one.unit == unit; });
+  const auto* const found =
+      std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Steps& one) { return one.unit == unit; });
   return found == std::end(kUnits) ? nullptr : found;
 }
 
@@ -150,8 +152,9 @@ std::optional<Note> unit_note(const Marker& marker) {
   const Steps* const steps = steps_of(marker.unit);
   if (steps != nullptr && steps->unit == "mm") return std::nullopt;
   const std::string unit = json::shortened(Json(marker.unit));
-  return Note{"", "ESICUP XML states no unit: " + (steps != nullptr ? "the numbers are converted from " + unit + " to mm"
-                                                                     : "the numbers are in " + unit)};
+  return Note{
+      "", "ESICUP XML states no unit: " +
+              (steps != nullptr ? "the numbers are converted from " + unit + " to mm" : "the numbers are in " + unit)};
 }
 
 std::string esicup_file(const MarkerFile& file) {

@@ -112,9 +112,8 @@ Result<Order> one_of_each_size(Order order) {
     return Error{ErrorCode::kOutOfRange, "upDown turns every second bundle; in a plan, one or either is allowed",
                  "/mode"};
   }
-  std::erase_if(order.notes, [](const Note& note) {
-    return note.text.starts_with(kNoRatio) || note.text.starts_with(kLeftOut);
-  });
+  std::erase_if(order.notes,
+                [](const Note& note) { return note.text.starts_with(kNoRatio) || note.text.starts_with(kLeftOut); });
   order.ratio.clear();
   for (const Quantity& quantity : order.quantities) {
     const bool known = std::any_of(order.ratio.begin(), order.ratio.end(),

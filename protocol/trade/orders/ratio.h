@@ -25,7 +25,8 @@ class Sums {
 };
 
 // The beginnings of the notes of settle_ratio.
-inline constexpr std::string_view kNoRatio = "the order gives no ratio: ", kLeftOut = "the ratio has no bundle of size ";
+inline constexpr std::string_view kNoRatio = "the order gives no ratio: ",
+                                  kLeftOut = "the ratio has no bundle of size ";
 
 // Gives the order the sums divided by their greatest common divisor as its ratio, with a note, unless it has a ratio.
 // Then sizes with garments that are not in the ratio are noted.

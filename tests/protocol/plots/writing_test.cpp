@@ -161,7 +161,8 @@ TEST(Writing, TheLabelOfAPieceWithAHoleLiesOnItsCloth) {
 
 TEST(DxfNest, KeepsTheAttributesForWhichItHasPlaces) {
   MarkerFile file = rich_marker();
-  file.attributes.whole = test::json(R"({"author": "A. Schneider", "product": "blouse", "version": "2", "date": "7-3"})");
+  file.attributes.whole =
+      test::json(R"({"author": "A. Schneider", "product": "blouse", "version": "2", "date": "7-3"})");
   file.attributes.shapes[0]["name"] = "Vorderteil";
   file.attributes.pieces[0] =
       test::json(R"({"bundle": "S-A", "size": "S", "style": "ST", "side": "left", "label": "FRONT 1"})");
@@ -188,8 +189,9 @@ TEST(DxfNest, NotesTheAttributesThatItLoses) {
 }
 
 TEST(DxfNest, ReadsBackWithAnyIds) {
-  const std::vector<std::string> ids{"", " ", "a", "a ", " a", "a\nb", "a\tb", "\"a\"", "\"", "\\U+00E4", "a\\", "\u00e4",
-                                     "\U0001F600", "\U0001F601", "\u6807\u8bb0", "a: b", "\x7f"};
+  const std::vector<std::string> ids{
+      "",         " ",   "a",      "a ",         " a",         "a\nb",         "a\tb", "\"a\"", "\"",
+      "\\U+00E4", "a\\", "\u00e4", "\U0001F600", "\U0001F601", "\u6807\u8bb0", "a: b", "\x7f"};
   MarkerFile file = rich_marker();
   file.marker.pieces.resize(1);
   file.attributes.pieces.resize(1);

@@ -50,8 +50,7 @@ TEST(Order, WhatDoesNotConcernTheStyleOrIsNotCutIsNoted) {
   EXPECT_TRUE(test::has_note(file, "the order is for style \"OTHER\"; the file says \"BLOUSE\""));
   EXPECT_TRUE(test::has_note(file, "no piece of the style is of material \"XXX\", which shrinks"));
   EXPECT_TRUE(test::has_note(file, "the ratio has no bundle of size \"L\", of which 5 garments are ordered"));
-  const MarkerFile matching =
-      ordered(R"({"style": "blouse", "ratio": {"S": 1}, "shrinkage": {"SHL": {"length": 3}}})");
+  const MarkerFile matching = ordered(R"({"style": "blouse", "ratio": {"S": 1}, "shrinkage": {"SHL": {"length": 3}}})");
   for (const char* text : {"the order is for style", "which shrinks", "the ratio has no"})
     EXPECT_FALSE(test::has_note(matching, text)) << text;
 }
