@@ -95,6 +95,11 @@ class BadInput(CliTest):
     def test_empty_files(self):
         empty = self.write("", "empty.json")
         self.assertIn(f"{empty}: the file is empty [input.syntax]", run("compact", empty).stderr)
+        self.assertIn(f"{empty}: the text is empty, so it is not JSON [input.syntax]",
+                      run("call", "motion.compact", empty, "--marker", MARKERS / "jeans_02g.json").stderr)
+        style = MARKERS.parent / "trade" / "polypattern_like.dxf"
+        self.assertIn("/rules: the rule table is empty [input.unknown_format]",
+                      run("convert", style, self.path("o.json"), "--rules", empty).stderr)
         self.assertIn(f"{empty}: the order is empty [input.missing_field]",
                       run("plan", empty, "--style", MARKERS / "jeans_02g.json").stderr)
 
