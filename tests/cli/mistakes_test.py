@@ -107,6 +107,8 @@ class BadInput(CliTest):
         ran = run("place", self.write(squares((0, 0))), "--piece", "p0", "--to", "1e9,0")
         self.assertEqual(ran.returncode, BAD_INPUT)
         self.assertIn("in either direction is allowed, as far as the marker's lattice reaches", ran.stderr)
+        ran = run("float", self.write(squares((0, 0))), "--distance", "1e9")
+        self.assertIn("1000000000 is beyond the marker's lattice; up to 109951.1627775 is allowed", ran.stderr)
 
     def test_missing_files(self):
         self.assertEqual(run("check", self.path("nowhere.json")).returncode, FILE)
