@@ -18,7 +18,8 @@ Result<Vec> place_on_lattice(const Point& place, Resolution resolution, std::str
     if (fits_lattice(coordinate, resolution)) continue;
     return Error{ErrorCode::kOutOfRange,
                  json::number_text(coordinate) + " is too far out; up to " +
-                     json::number_text(to_decimal(kLatticeLimit - 1, resolution)) + " in either direction is allowed",
+                     json::number_text(to_decimal(kLatticeLimit - 1, resolution)) +
+                     " in either direction is allowed, as far as the marker's lattice reaches",
                  std::string{field}};
   }
   return Vec{to_lattice(place.x, resolution), to_lattice(place.y, resolution)};

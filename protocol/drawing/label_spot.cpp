@@ -19,15 +19,19 @@ double squared_distance_to_edge(Point p, Point a, Point b) {
   return off_x * off_x + off_y * off_y;
 }
 
-// The distance to the boundary, negative outside.
-double clearance(Point p, const std::vector<Point>& outline) {
+using Rings = std::vector<std::vector<Point>>;  // the outline, then its holes
+
+// The distance to the boundary, negative outside and in holes.
+double clearance(Point p, const Rings& rings) {
   bool inside = false;
   double nearest = INFINITY;
-  Point a = outline.back();
-  for (const Point b : outline) {
-    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
-    nearest = std::min(nearest, squared_distance_to_edge(p, a, b));
-    a = b;
+  for (const std::vector<Point>& ring : rings) {
+    Point a = ring.back();
+    for (const Point b : ring) {
+      if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+      nearest = std::min(nearest, squared_distance_to_edge(p, a, b));
+      a = b;
+    }
   }
   return inside ? std::sqrt(nearest) : -std::sqrt(nearest);
 }
@@ -58,14 +62,14 @@ bool better(const Candidate& a, const Candidate& b, double enough) {
 }
 
 // Searches a grid over the box, then finer grids around the best point so far.
-Candidate best_spot(const std::vector<Point>& outline, double enough) {
+Candidate best_spot(const Rings& rings, double enough) {
   constexpr int kSteps = 6, kRefinements = 4;
   Point low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  for (const Point p : outline) {
+  for (const Point p : rings.front()) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  const Point middle = centroid(outline);
+  const Point middle = centroid(rings.front());
   Candidate best;
   Point centre{(low.x + high.x) / 2, (low.y + high.y) / 2};
   double half_width = (high.x - low.x) / 2, half_height = (high.y - low.y) / 2;
@@ -73,7 +77,7 @@ Candidate best_spot(const std::vector<Point>& outline, double enough) {
     for (int i = -kSteps; i <= kSteps; ++i) {
       for (int j = -kSteps; j <= kSteps; ++j) {
         const Point p{centre.x + half_width * i / kSteps, centre.y + half_height * j / kSteps};
-        const Candidate spot{p, clearance(p, outline), std::hypot(p.x - middle.x, p.y - middle.y)};
+        const Candidate spot{p, clearance(p, rings), std::hypot(p.x - middle.x, p.y - middle.y)};
         if (better(spot, best, enough)) best = spot;
       }
     }
@@ -85,16 +89,21 @@ Candidate best_spot(const std::vector<Point>& outline, double enough) {
 }
 
 // In coordinates squeezed along the text a label is a square, and a square fits into a circle.
-Candidate best_squeezed(const Polygon& outline, double squeeze_x, double squeeze_y, double enough) {
+Candidate best_squeezed(const Polygon& outline, const std::vector<Polygon>& holes, Point squeeze, double enough) {
   constexpr std::size_t kEnoughVertices = 64;  // a rough outline will do
-  const std::size_t stride = outline.size() / kEnoughVertices + 1;
-  std::vector<Point> squeezed;
-  for (std::size_t i = 0; i < outline.size(); i += stride) {
-    const Vec v = outline[i];
-    squeezed.push_back({static_cast<double>(v.x) / squeeze_x, static_cast<double>(v.y) / squeeze_y});
-  }
+  Rings squeezed;
+  const auto add = [&](const Polygon& polygon) {
+    const std::size_t stride = polygon.size() / kEnoughVertices + 1;
+    std::vector<Point>& ring = squeezed.emplace_back();
+    for (std::size_t i = 0; i < polygon.size(); i += stride) {
+      const Vec v = polygon[i];
+      ring.push_back({static_cast<double>(v.x) / squeeze.x, static_cast<double>(v.y) / squeeze.y});
+    }
+  };
+  add(outline);
+  for (const Polygon& hole : holes) add(hole);
   Candidate spot = best_spot(squeezed, enough);
-  spot.at = {spot.at.x * squeeze_x, spot.at.y * squeeze_y};
+  spot.at = {spot.at.x * squeeze.x, spot.at.y * squeeze.y};
   return spot;
 }
 
@@ -106,12 +115,12 @@ LabelSpot spot_of(const Candidate& spot, bool upright) {
 
 }  // namespace
 
-LabelSpot find_label_spot(const Polygon& outline, double aspect, double enough) {
+LabelSpot find_label_spot(const Polygon& outline, double aspect, double enough, const std::vector<Polygon>& holes) {
   constexpr double kPreferLevel = 1.4;  // text along y must be this much larger to be worth tilting one's head
   const double radius = enough / kSquareInCircle;
-  const Candidate level = best_squeezed(outline, aspect, 1, radius);
+  const Candidate level = best_squeezed(outline, holes, {aspect, 1}, radius);
   if (kPreferLevel * level.radius >= radius) return spot_of(level, false);
-  const Candidate upright = best_squeezed(outline, 1, aspect, radius);
+  const Candidate upright = best_squeezed(outline, holes, {1, aspect}, radius);
   return upright.radius > kPreferLevel * level.radius ? spot_of(upright, true) : spot_of(level, false);
 }
 

@@ -112,6 +112,11 @@ class ClothMaker {
       if (holes.empty() || is_of_zone(k) || !outline::enclosed::without_slits(shape.outline).holes.empty()) continue;
       if (auto open = outline::enclosed::with_open_holes(shape.outline, holes)) {
         shape.outline = *std::move(open);
+        const std::string number = std::to_string(k);
+        std::erase_if(file_.notes, [&](const Note& note) {  // that they are treated as filled
+          return note.field.ends_with("/shapes/" + number + "/holes") ||
+                 note.field.ends_with("/items/" + number + "/shape/data/inner");
+        });
       } else {
         file_.notes.push_back({"/openHoles", "the holes of " + json::shortened(Json(shape.id)) +
                                                  " stay filled: they touch or cross the outline or each other, or are "

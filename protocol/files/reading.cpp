@@ -1,5 +1,8 @@
 #include "protocol/files/reading.h"
 
+#include <algorithm>
+
+#include "protocol/files/unused_options.h"
 #include "protocol/formats/format.h"
 #include "protocol/json/fields.h"
 #include "protocol/trade/aama/nest.h"
@@ -32,6 +35,21 @@ Result<MarkerFile> one_garment(std::string_view text, const ReadingOptions& opti
   return trade::marker_of(*style, trade::one_of_each(*style), options);
 }
 
+// Notes what the order says about another style.
+void note_mismatches(const trade::orders::Order& order, Style& style) {
+  if (!order.style.empty() && !style.name.empty() &&
+      trade::in_capitals(order.style) != trade::in_capitals(style.name)) {
+    style.notes.push_back({"/order/style", "the order is for style " + json::shortened(Json(order.style)) +
+                                               "; the file says " + json::shortened(Json(style.name))});
+  }
+  for (const auto& shrinkage : order.shrinkage) {
+    const auto of_material = [&](const trade::PatternPiece& piece) { return piece.material == shrinkage.first; };
+    if (std::any_of(style.pieces.begin(), style.pieces.end(), of_material)) continue;
+    style.notes.push_back({"/order/shrinkage", "no piece of the style is of material " +
+                                                   json::shortened(Json(shrinkage.first)) + ", which shrinks"});
+  }
+}
+
 // The bundles of the order, which determines sizes, material and width.
 Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
   auto order = trade::orders::read_order(*options.order);
@@ -43,7 +61,9 @@ Result<MarkerFile> ordered(std::string_view text, ReadingOptions options) {
   auto style = trade::aama::read_pattern(text, options);
   if (!style) return style.error();
   if (options.fold == trade::FoldRule::kLay) trade::cut_from_two_layers(*style);
-  style->notes.insert(style->notes.end(), order->notes.begin(), order->notes.end());
+  for (const Note& note : order->notes)
+    style->notes.push_back({note.field.empty() ? "" : "/order" + note.field, note.text});
+  note_mismatches(*order, *style);
   const auto copies = trade::orders::bundles_of(*style, *order);
   if (!copies) return json::within("/order", copies.error());
   return trade::marker_of(*style, *copies, options);
@@ -74,6 +94,7 @@ namespace {
 Result<MarkerFile> read_utf8(std::string_view text, const ReadingOptions& options) {
   const auto kind = kind_of(text);
   if (!kind) {
+    if (trade::trimmed(text).empty()) return Error{ErrorCode::kSyntax, "the file is empty", ""};
     auto file = formats::read_marker(text);
     if (file) return file;
     Error error = file.error();
@@ -91,6 +112,23 @@ Result<MarkerFile> read_utf8(std::string_view text, const ReadingOptions& option
   return formats::read_marker(text);
 }
 
+// The options that were given and do not matter for this file.
+std::vector<Note> unused_of(std::string_view text, const ReadingOptions& options) {
+  const FileKind kind = kind_of(text).value_or(FileKind::kJson);
+  switch (kind) {
+    case FileKind::kDxf:
+      if (options.plain) return unused_options(options, "unit width fold nap tolerance plain", "plain DXF");
+      if (trade::aama::is_nest(text)) return unused_options(options, "", "a DXF nest, which is a whole marker");
+      return unused_options(options, "unit width sizes fold nap tolerance rules order", "a pattern file");
+    case FileKind::kSvg: return unused_options(options, "unit width fold nap tolerance", "a drawing");
+    case FileKind::kEsicup: return unused_options(options, "unit width", "ESICUP XML");
+    case FileKind::kCut: return unused_options(options, "unit width nap", "a cut file");
+    case FileKind::kHpgl: return unused_options(options, "unit width nap tolerance", "a plot");
+    case FileKind::kJson: break;
+  }
+  return unused_options(options, "", "a marker in JSON");
+}
+
 }  // namespace
 
 Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& options) {
@@ -98,7 +136,10 @@ Result<MarkerFile> read_file(std::string_view text, const ReadingOptions& option
   const auto utf8 = trade::unicode::Utf8Text::of(text);
   if (!utf8) return utf8.error();
   auto file = read_utf8(utf8->text(), options);
-  if (file && !utf8->encoding().empty()) {
+  if (!file) return file;
+  const std::vector<Note> unused = unused_of(utf8->text(), options);
+  file->notes.insert(file->notes.end(), unused.begin(), unused.end());
+  if (!utf8->encoding().empty()) {
     file->notes.insert(file->notes.begin(), {"", "the file is read as " + std::string{utf8->encoding()}});
   }
   return file;

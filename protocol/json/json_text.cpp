@@ -97,6 +97,8 @@ class Builder {
     if (e.id == kNumberOverflow) {
       return fail(ErrorCode::kOutOfRange, "a number is too large at " + where + "; numbers reach about 1.8e308", "");
     }
+    if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      return fail(ErrorCode::kSyntax, "the text is empty, so it is not JSON", "");
     return fail(ErrorCode::kSyntax, "not JSON at " + where, "");
   }
 

@@ -5,12 +5,14 @@
 #include <numbers>
 
 #include "protocol/document/frame.h"
+#include "protocol/plots/holes.h"
 #include "protocol/plots/route.h"
 
 namespace selvage::protocol::plots {
 namespace {
 
-constexpr double kCutUnits = 10;  // G71
+constexpr double kCutUnits = 10;                       // G71
+constexpr double kLabelAspect = 3, kLabelHeight = 20;  // the room that a printed or stuck label takes, about
 
 std::string number(double millimetres) {
   // The format has no negative coordinates.
@@ -19,13 +21,6 @@ std::string number(double millimetres) {
 
 std::string point(Spot spot) {
   return "X" + number(spot.x) + "Y" + number(spot.y);
-}
-
-// The text without characters that end a block.
-std::string label_text(const std::string& text) {
-  std::string label = in_ascii(text);
-  std::replace(label.begin(), label.end(), '*', '.');
-  return label.empty() ? "-" : label;
 }
 
 double distance(Spot a, Spot b) {
@@ -39,8 +34,8 @@ class Cutter {
   CutFile write() {
     std::vector<std::vector<Spot>> outlines;
     for (const SheetPiece& piece : sheet_.pieces) outlines.push_back(piece.outline);
-    const Route route = route_through(outlines);
-    text_ = "H1*G71*M70*M15*M20*" + label_text(sheet_.name) + "*";
+    const Route route = route_through(outlines, pieces_in_holes(sheet_));
+    text_ = "H1*G71*M70*M15*M20*" + cut_label(sheet_.name) + "*";
     std::size_t number_of_piece = 0;
     for (const RouteStop& stop : route.stops) {
       text_ += "N" + std::to_string(++number_of_piece) + "*";
@@ -52,7 +47,7 @@ class Cutter {
 
  private:
   void cut_piece(const SheetPiece& piece, std::size_t first) {
-    text_ += point(label_spot(piece)) + "M31*" + label_text(piece.label) + "*";
+    text_ += point(label_place(piece, kLabelAspect, kLabelHeight).middle) + "M31*" + cut_label(piece.label) + "*";
     for (const Spot& drill : piece.annotations.drills) text_ += point(drill) + "M43*";
     Spot here = piece.outline[first];
     for (const document::Notch& notch : piece.annotations.notches) {
@@ -80,19 +75,17 @@ class Cutter {
     text_ += "M15*";
   }
 
-  // The mean of the outline's vertices, which lies inside the outline or near it.
-  static Spot label_spot(const SheetPiece& piece) {
-    Spot sum;
-    for (const Spot& point : piece.outline) sum = {sum.x + point.x, sum.y + point.y};
-    const auto count = static_cast<double>(piece.outline.size());
-    return {sum.x / count, sum.y / count};
-  }
-
   const Sheet& sheet_;
   std::string text_;
 };
 
 }  // namespace
+
+std::string cut_label(const std::string& text) {
+  std::string label = in_ascii(text);
+  std::replace(label.begin(), label.end(), '*', '.');
+  return label.empty() ? "-" : label;
+}
 
 CutFile cut_file(const Sheet& sheet) {
   return Cutter{sheet}.write();

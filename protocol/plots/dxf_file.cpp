@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
 
 #include "protocol/document/frame.h"
@@ -15,7 +17,50 @@ using document::Spot;
 
 constexpr double kSharp = 20;  // degrees: a vertex that turns more is a turn point, others are points of a curve
 
-// Text of R12: ASCII, other characters as \U+XXXX, those beyond four digits as ?.
+// Attributes that are strings, and the texts that hold them.  `name` is not what DXF calls the name of a piece: that is
+// the id of the shape, by which the piece is known.
+constexpr std::pair<const char*, const char*> kWholeTexts[] = {
+    {"author", "Author"}, {"product", "Product"}, {"version", "Version"}, {"date", "Creation Date"}};
+constexpr std::pair<const char*, const char*> kShapeTexts[] = {{"name", "Marker Name"},
+                                                               {"size", "Size"},
+                                                               {"material", "Material"},
+                                                               {"category", "Category"},
+                                                               {"annotation", "Annotation"}};
+constexpr std::pair<const char*, const char*> kPieceTags[] = {
+    {"bundle", "BUNDLE"}, {"size", "SIZE"}, {"style", "STYLE"}, {"side", "SIDE"}, {"label", "LABEL"}};
+
+// The attribute, if it is a string that is not empty.
+std::string text_in(const Json& attributes, std::string_view key) {
+  const Json* const found = attributes.find(key);
+  return found && found->is_string() ? found->get<std::string>() : std::string{};
+}
+
+// What a reader of DXF takes for something else, or leaves out, unless it is in quotes: nothing, blanks at the ends,
+// control characters, \U+, and quotes themselves.
+bool needs_quotes(std::string_view text) {
+  const auto odd = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  return text.empty() || text.front() == ' ' || text.back() == ' ' || text.front() == '"' ||
+         std::any_of(text.begin(), text.end(), odd) || text.find("\\U+") != std::string_view::npos;
+}
+
+// The text as it can be read back, in quotes like a string of JSON if necessary.
+std::string kept_text(const std::string& text) {
+  if (!needs_quotes(text)) return text;
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"')
+      out += "\\\"";
+    else if (byte < 0x20 || byte == 0x7f || c == '\\')
+      out += std::string{"\\u00"} + kDigits[byte >> 4U] + kDigits[byte & 0xf];
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+// Text of R12: ASCII, other characters as \U+XXXX, two of them for one beyond four digits, as in UTF-16.
 std::string dxf_text(std::string_view text) {
   std::string out;
   for (std::size_t k = 0; k < text.size();) {
@@ -25,14 +70,20 @@ std::string dxf_text(std::string_view text) {
     for (std::size_t j = 1; j < length && k + j < text.size(); ++j)
       code = code << 6 | (static_cast<unsigned char>(text[k + j]) & 0x3f);
     k += length;
-    if (code >= 0x20 && code < 0x7f) {
-      out += static_cast<char>(code);
-    } else if (code < 0x20 || code > 0xffff) {
-      out += '?';
-    } else {
+    const auto escape = [&](unsigned unit) {
       constexpr std::string_view kDigits = "0123456789ABCDEF";
       out += "\\U+";
-      for (int shift = 12; shift >= 0; shift -= 4) out += kDigits[code >> static_cast<unsigned>(shift) & 0xf];
+      for (int shift = 12; shift >= 0; shift -= 4) out += kDigits[unit >> static_cast<unsigned>(shift) & 0xf];
+    };
+    if (code >= 0x20 && code < 0x7f) {
+      out += static_cast<char>(code);
+    } else if (code < 0x20) {
+      out += '?';
+    } else if (code <= 0xffff) {
+      escape(code);
+    } else {
+      escape(0xd800 + ((code - 0x10000) >> 10U));
+      escape(0xdc00 + ((code - 0x10000) & 0x3ffU));
     }
   }
   return out;
@@ -129,12 +180,6 @@ class DxfWriter {
     if (angle != 0) tag(50, angle);
   }
 
-  [[nodiscard]] std::string attribute(std::size_t shape, const char* key) const {
-    const Json& attributes = file_.attributes.shapes[shape];
-    const Json* const found = attributes.find(key);
-    return found && found->is_string() ? found->get<std::string>() : std::string{};
-  }
-
   void write_block(std::size_t k, bool flipped, int right, int left) {
     const Shape& shape = marker_.shapes[k];
     const std::string name = block_name(k, flipped);
@@ -145,13 +190,11 @@ class DxfWriter {
     tag(3, name);
     const Polygon outline = flipped ? transformed(shape.outline, Symmetry{true, 0}) : shape.outline;
     const Spot at = decimal(outline.front());
-    text(1, at, "Piece Name: " + shape.id);
+    text(1, at, "Piece Name: " + kept_text(shape.id));
     text(1, at, "Quantity: " + std::to_string(right) + "," + std::to_string(left));
-    for (const auto& [key, word] : {std::pair{"size", "Size: "},
-                                    {"material", "Material: "},
-                                    {"category", "Category: "},
-                                    {"annotation", "Annotation: "}}) {
-      if (const std::string value = attribute(k, key); !value.empty()) text(1, at, word + value);
+    for (const auto& [key, word] : kShapeTexts) {
+      if (const std::string value = text_in(file_.attributes.shapes[k], key); !value.empty())
+        text(1, at, std::string{word} + ": " + kept_text(value));
     }
     write_permissions(shape, at, flipped);
     write_outline(outline);
@@ -237,8 +280,12 @@ class DxfWriter {
   void write_file_texts() {
     const Strip& strip = marker_.strip;
     const auto say = [&](const std::string& key, const std::string& value) { text(1, {0, 0}, key + ": " + value); };
-    say("Style Name", marker_.name);
-    say("Author", "Selvage");
+    say("Style Name", marker_.name.empty() ? "" : kept_text(marker_.name));
+    const Json& whole = file_.attributes.whole;
+    if (text_in(whole, "author").empty()) say("Author", "Selvage");
+    for (const auto& [key, word] : kWholeTexts) {
+      if (const std::string value = text_in(whole, key); !value.empty()) say(word, kept_text(value));
+    }
     say("Units", std::string{unit_.name});
     say("Marker Width", json::number_text(decimal(strip.width)));
     if (strip.margin > 0) say("Marker Margin", json::number_text(decimal(strip.margin)));
@@ -288,12 +335,12 @@ class DxfWriter {
     point(10, at);
     const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
     if (degrees != 0) tag(50, degrees);
-    attribute(at, "PIECE", piece.id);
+    attribute(at, "PIECE", kept_text(piece.id));
     if (piece.orientation.tilt.degrees != 0) {
       attribute(at, "ROTATION", json::number_text(piece.orientation.rotation.degrees));
       attribute(at, "TILT", json::number_text(piece.orientation.tilt.degrees));
     }
-    if (!piece.group.empty()) attribute(at, "GROUP", piece.group);
+    if (!piece.group.empty()) attribute(at, "GROUP", kept_text(piece.group));
     if (piece.buffer > 0) attribute(at, "BUFFER", json::number_text(decimal(piece.buffer)));
     if (piece.overlap) attribute(at, "OVERLAP", json::number_text(decimal(*piece.overlap)));
     for (const auto& [length, tag] : {std::pair{piece.rules.below, "BELOW"},
@@ -307,17 +354,17 @@ class DxfWriter {
       attribute(at, "MATCH_X", json::number_text(decimal(piece.rules.match->x)));
       attribute(at, "MATCH_Y", json::number_text(decimal(piece.rules.match->y)));
     }
-    if (!piece.rules.match_set.empty()) attribute(at, "MATCH_SET", piece.rules.match_set);
-    if (!piece.rules.shade.empty()) attribute(at, "SHADE", piece.rules.shade);
+    if (!piece.rules.match_set.empty()) attribute(at, "MATCH_SET", kept_text(piece.rules.match_set));
+    if (!piece.rules.shade.empty()) attribute(at, "SHADE", kept_text(piece.rules.shade));
     if (piece.rules.quality) attribute(at, "QUALITY", std::to_string(*piece.rules.quality));
     if (piece.rules.part) write_part(at, *piece.rules.part);
     if (piece.rules.nap) attribute(at, "NAP", *piece.rules.nap == marker::Nap::kUp ? "up" : "down");
     const Locks locks = piece.locked;
     const std::string locked = std::string{locks.x ? "x" : ""} + (locks.y ? "y" : "") + (locks.tilt ? "t" : "");
     if (!locked.empty()) attribute(at, "LOCKED", locked);
-    const Json& attributes = file_.attributes.pieces[k];
-    if (const Json* bundle = attributes.find("bundle"); bundle && bundle->is_string()) {
-      attribute(at, "BUNDLE", bundle->get<std::string>());
+    for (const auto& [key, name] : kPieceTags) {
+      if (const std::string value = text_in(file_.attributes.pieces[k], key); !value.empty())
+        attribute(at, name, kept_text(value));
     }
     entity("SEQEND", 1);
   }
@@ -328,7 +375,47 @@ class DxfWriter {
   std::string out_;
 };
 
+// The keys of attributes that no text holds.
+void add_lost_keys(const Json& attributes, std::span<const std::pair<const char*, const char*>> texts,
+                   std::set<std::string>& lost) {
+  for (const auto& attribute : attributes.items()) {
+    const Json& value = attribute.second;
+    const bool held =
+        std::any_of(texts.begin(), texts.end(), [&](const auto& text) { return attribute.first == text.first; });
+    const bool empty = value.is_string() && value.text().empty();
+    if (!empty && !(held && value.is_string())) lost.insert(attribute.first);
+  }
+}
+
 }  // namespace
+
+std::vector<Note> dxf_losses(const MarkerFile& file) {
+  std::set<std::string> whole, shapes, pieces;
+  add_lost_keys(file.attributes.whole, kWholeTexts, whole);
+  for (const Json& attributes : file.attributes.shapes) add_lost_keys(attributes, kShapeTexts, shapes);
+  for (const Json& attributes : file.attributes.pieces) add_lost_keys(attributes, kPieceTags, pieces);
+  shapes.erase("annotations");
+  std::vector<Note> notes;
+  for (const auto& [keys, of] : {std::pair{&whole, "marker"}, {&shapes, "shapes"}, {&pieces, "pieces"}}) {
+    if (keys->empty()) continue;
+    std::string list;
+    for (const std::string& key : *keys) list += (list.empty() ? "" : ", ") + json::shortened(Json(key));
+    notes.push_back({"", "DXF has no place for these attributes of the " + std::string{of} + ": " + list});
+  }
+  std::size_t quoted = 0, zones = 0;
+  for (const Shape& shape : file.marker.shapes) quoted += needs_quotes(shape.id);
+  for (const Piece& piece : file.marker.pieces) {
+    quoted += needs_quotes(piece.id);
+    zones += piece.rules.zone;
+  }
+  if (quoted > 0) {
+    notes.push_back({"", std::to_string(quoted) + (quoted == 1 ? " id is" : " ids are") +
+                             " written in quotes, since DXF cannot hold empty texts, blanks at the ends, control "
+                             "characters and the like otherwise"});
+  }
+  if (zones > 0) notes.push_back({"", "zones of the cloth are left out, " + std::to_string(zones) + " in all"});
+  return notes;
+}
 
 Result<std::string> dxf_file(const MarkerFile& file) {
   const auto unit = unit_of(file.marker);

@@ -20,12 +20,17 @@ double between(Spot a, Spot b) {
 
 class Planner {
  public:
-  explicit Planner(const Outlines& outlines) : outlines_{outlines} {}
+  Planner(const Outlines& outlines, const std::vector<std::vector<std::size_t>>& before)
+      : outlines_{outlines}, before_{before} {}
 
   Route plan() {
     nearest_neighbour();
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
       if (stops_.size() <= kMostForTwoOpt) two_opt();
+      choose_vertices();
+    }
+    if (std::any_of(before_.begin(), before_.end(), [](const auto& list) { return !list.empty(); })) {
+      move_forward();
       choose_vertices();
     }
     return {stops_, length()};
@@ -114,6 +119,25 @@ class Planner {
     }
   }
 
+  // Puts what must be cut before a piece directly before it, unless it is cut earlier anyway.
+  void move_forward() {
+    std::vector<std::size_t> place(outlines_.size(), stops_.size());
+    for (std::size_t k = 0; k < stops_.size(); ++k) place[stops_[k].piece] = k;
+    std::vector<RouteStop> ordered;
+    std::vector<bool> begun(stops_.size());
+    const auto add = [&](const auto& self, std::size_t k) -> void {
+      if (k == stops_.size() || begun[k]) return;
+      begun[k] = true;
+      std::vector<std::size_t> earlier;
+      for (const std::size_t piece : before_[stops_[k].piece]) earlier.push_back(place[piece]);
+      std::sort(earlier.begin(), earlier.end());
+      for (const std::size_t one : earlier) self(self, one);
+      ordered.push_back(stops_[k]);
+    };
+    for (std::size_t k = 0; k < stops_.size(); ++k) add(add, k);
+    stops_ = std::move(ordered);
+  }
+
   [[nodiscard]] double length() const {
     double sum = 0;
     for (std::size_t k = 0; k < stops_.size(); ++k) sum += between(before(k), at(k));
@@ -121,13 +145,14 @@ class Planner {
   }
 
   const Outlines& outlines_;
+  const std::vector<std::vector<std::size_t>>& before_;
   std::vector<RouteStop> stops_;
 };
 
 }  // namespace
 
-Route route_through(const Outlines& outlines) {
-  return Planner{outlines}.plan();
+Route route_through(const Outlines& outlines, const std::vector<std::vector<std::size_t>>& before) {
+  return Planner{outlines, before}.plan();
 }
 
 double travel_as_given(const Outlines& outlines) {

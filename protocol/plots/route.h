@@ -21,7 +21,10 @@ struct Route {
   std::vector<RouteStop> stops;  // visits every piece once
   double travel{};               // of the raised knife, from the origin through all stops
 };
-[[nodiscard]] Route route_through(const std::vector<std::vector<document::Spot>>& outlines);
+// `before`: for each piece, those that are cut before it; none: any order.  They are moved forward in the route, and
+// then the vertices are chosen once more.
+[[nodiscard]] Route route_through(const std::vector<std::vector<document::Spot>>& outlines,
+                                  const std::vector<std::vector<std::size_t>>& before = {});
 
 // The travel in the order in which the outlines are given, starting each at its first vertex.
 [[nodiscard]] double travel_as_given(const std::vector<std::vector<document::Spot>>& outlines);

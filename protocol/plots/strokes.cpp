@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "protocol/document/frame.h"
-#include "protocol/drawing/label_spot.h"
+#include "protocol/plots/holes.h"
 
 namespace selvage::protocol::plots {
 namespace {
@@ -64,22 +64,16 @@ void add_annotations(Plot& plot, const SheetPiece& piece) {
 }
 
 void add_label(Plot& plot, const SheetPiece& piece) {
-  constexpr double kFine = 100;  // lattice units of a millimetre, for the search of a spot
-  Polygon outline;
-  for (const Spot& point : piece.outline) {
-    const Vec vertex{std::llround(point.x * kFine), std::llround(point.y * kFine)};
-    if (outline.empty() || outline.back() != vertex) outline.push_back(vertex);
-  }
-  const std::string text = in_ascii(piece.label);
-  if (outline.size() < 3 || text.empty() || geometry::doubled_area(outline) <= 0) return;
-  const double aspect = std::max(1.0, kLetterWidth * static_cast<double>(text.size()));
-  const auto spot = drawing::find_label_spot(outline, aspect, kLargestLabel / 2 * kFine);
-  const double height = std::min(kLargestLabel, 2 * spot.half_height / kFine);
-  if (height < kSmallestLabel) return;
-  const double half = aspect * height / 2, x = spot.x / kFine, y = spot.y / kFine;
-  const double letters = height * 0.7;  // of the line's height
-  const Spot at = spot.upright ? Spot{x + letters / 2, y - half} : Spot{x - half, y - letters / 2};
-  plot.labels.push_back({text, at, letters, spot.upright ? 90.0 : 0.0});
+  if (piece.label.empty()) return;
+  const double aspect = std::max(1.0, kLetterWidth * static_cast<double>(in_ascii(piece.label).size()));
+  const LabelPlace place = label_place(piece, aspect, kLargestLabel);
+  if (place.height < kSmallestLabel) return;
+  const double half = aspect * place.height / 2;
+  const double letters = place.height * 0.7;  // of the line's height
+  const Spot middle = place.middle;
+  const Spot at =
+      place.upright ? Spot{middle.x + letters / 2, middle.y - half} : Spot{middle.x - half, middle.y - letters / 2};
+  plot.labels.push_back({piece.label, at, letters, place.upright ? 90.0 : 0.0});
 }
 
 }  // namespace
@@ -90,8 +84,8 @@ Plot plot_of(const Sheet& sheet) {
       {StrokeStyle::kFrame, true, {{0, 0}, {sheet.length, 0}, {sheet.length, sheet.width}, {0, sheet.width}}});
   for (const SheetPiece& piece : sheet.pieces) {
     plot.strokes.push_back({StrokeStyle::kOutline, true, piece.outline});
+    add_label(plot, piece);  // first: what reads plots takes the first label in a piece for its name
     add_annotations(plot, piece);
-    add_label(plot, piece);
   }
   return plot;
 }

@@ -90,8 +90,13 @@ void append_utf8(std::string& out, unsigned code) {
   } else if (code < 0x800) {
     put(0xc0 | code >> 6);
     put(0x80 | (code & 0x3f));
-  } else {
+  } else if (code < 0x10000) {
     put(0xe0 | code >> 12);
+    put(0x80 | (code >> 6 & 0x3f));
+    put(0x80 | (code & 0x3f));
+  } else {
+    put(0xf0 | code >> 18);
+    put(0x80 | (code >> 12 & 0x3f));
     put(0x80 | (code >> 6 & 0x3f));
     put(0x80 | (code & 0x3f));
   }
@@ -119,25 +124,39 @@ std::string converted(std::string_view bytes, const char* encoding) {
   return out;
 }
 
-// \U+XXXX as the character itself; surrogates and control characters are replaced.
-std::string with_escapes_resolved(const std::string& text) {
-  constexpr std::string_view kEscape = "\\U+";
+constexpr std::string_view kEscape = "\\U+";
+
+// The number of an escape such as \U+00E4 at this place.
+std::optional<unsigned> escaped_at(const std::string& text, std::size_t at) {
   constexpr std::size_t kDigits = 4;
+  if (at + kEscape.size() + kDigits > text.size() || text.compare(at, kEscape.size(), kEscape) != 0)
+    return std::nullopt;
+  const char* const first = text.data() + at + kEscape.size();
+  unsigned code{};
+  return std::from_chars(first, first + kDigits, code, 16).ptr == first + kDigits ? std::optional{code} : std::nullopt;
+}
+
+// \U+XXXX as the character itself; one beyond four digits is two of them, as in UTF-16.  Single surrogates and control
+// characters are replaced.
+std::string with_escapes_resolved(const std::string& text) {
+  constexpr std::size_t kLength = kEscape.size() + 4;
   std::string out;
   std::size_t done = 0;
-  for (std::size_t at = text.find(kEscape); at != std::string::npos; at = text.find(kEscape, at + 1)) {
-    const std::size_t first = at + kEscape.size();
-    if (first + kDigits > text.size()) break;
-    unsigned code{};
-    if (std::from_chars(text.data() + first, text.data() + first + kDigits, code, 16).ptr !=
-        text.data() + first + kDigits)
-      continue;
+  for (std::size_t at = text.find(kEscape); at != std::string::npos; at = text.find(kEscape, std::max(at + 1, done))) {
+    const auto code = escaped_at(text, at);
+    if (!code) continue;
     out.append(text, done, at - done);
-    if (code < 0x20 || (code >= 0xd800 && code < 0xe000))
+    done = at + kLength;
+    const bool high = *code >= 0xd800 && *code < 0xdc00;
+    const auto low = high ? escaped_at(text, done) : std::nullopt;
+    if (low && *low >= 0xdc00 && *low < 0xe000) {
+      append_utf8(out, 0x10000 + ((*code - 0xd800) << 10U) + (*low - 0xdc00));
+      done += kLength;
+    } else if (*code < 0x20 || (*code >= 0xd800 && *code < 0xe000)) {
       out += kReplacement;
-    else
-      append_utf8(out, code);
-    done = first + kDigits;
+    } else {
+      append_utf8(out, *code);
+    }
   }
   return out.append(text, done);
 }

@@ -6,7 +6,7 @@ import resource
 import subprocess
 import unittest
 
-from command import BAD_INPUT, CliTest, FILE, MARKERS, NOT_VALID, OK, REFUSED, SELVAGE, run, squares
+from command import BAD_INPUT, BAD_USAGE, CliTest, FILE, MARKERS, NOT_VALID, OK, REFUSED, SELVAGE, run, squares
 
 
 class Drawing(CliTest):
@@ -188,6 +188,73 @@ class Writing(CliTest):
             self.assertIn("</svg>", drawing.read_text())
         self.assertTrue(link.is_symlink())
         self.assertEqual(drawing.stat().st_mode & 0o777, 0o600)
+
+
+class NamesOfFiles(CliTest):
+    """No result overwrites another one or what the command reads; a marker may replace itself."""
+
+    def setUp(self):
+        super().setUp()
+        self.marker = self.write(squares((0, 0), (50, 10)), "k.json")
+        self.before = self.marker.read_text()
+        self.path("link.json").symlink_to(self.marker)
+        (self.path("folder")).mkdir()
+
+    def refused(self, said, *arguments):
+        with self.subTest(arguments):
+            ran = run(*arguments)
+            self.assertEqual((ran.returncode, ran.stdout), (BAD_USAGE, ""))
+            self.assertIn(said, ran.stderr)
+            self.assertEqual(self.marker.read_text(), self.before)
+
+    def test_no_two_results_have_one_name(self):
+        new, same = self.path("new.json"), self.path("folder") / ".." / "new.json"
+        self.refused(f"--out and --svg name the same file, {new}", "compact", self.marker, "-o", new, "--svg", new)
+        self.refused(f"--out and --outlines name the same file, {same}", "compact", self.marker, "-o", new, "--outlines",
+                     same)
+        self.refused("--svg and --outlines name the same file", "call", "motion.compact", "--marker", self.marker,
+                     "--svg", new, "--outlines", new)
+        self.path("later.svg").symlink_to(new)
+        self.refused("--out and --svg name the same file", "compact", self.marker, "-o", new, "--svg",
+                     self.path("later.svg"))
+        self.assertFalse(new.exists())
+
+    def test_no_result_replaces_what_is_read(self):
+        marker, link = self.marker, self.path("link.json")
+        overwrites = f"would overwrite {marker}, which"
+        self.refused(f"--svg {overwrites} IN reads", "compact", marker, "-o", self.path("o.json"), "--svg", link)
+        self.refused(f"--out {overwrites} IN reads", "compact", marker, "-o", marker, "--format", "pdf")
+        self.refused(f"--outlines {overwrites} --marker reads", "call", "motion.compact", "--marker", marker,
+                     "--outlines", marker)
+        self.refused(f"OUT {overwrites} IN reads", "show", marker, link)
+        self.refused(f"--svg {overwrites} IN reads", "show", marker, "--svg", marker)
+        self.refused(f"OUT {overwrites} IN reads", "convert", marker, marker, "--format", "cut")
+        self.refused(f"--out {overwrites} --order reads", "convert", self.path("x.dxf"), "-o", marker, "--order", marker)
+        self.refused(f"--svg {overwrites} ORDER reads", "remake", marker, "--library", self.path("folder"), "--svg",
+                     marker)
+        self.refused(f"--html {overwrites} --style reads", "plan", self.path("order.csv"), "--style", marker, "--html",
+                     marker)
+        self.refused(f"--out {overwrites} ORDER reads", "plan", marker, "--style", self.path("s.json"), "-o", marker)
+        params = self.write({"rounds": 1}, "params.json")
+        self.refused(f"--out would overwrite {params}, which PARAMS reads", "call", "motion.compact", params, "--marker",
+                     marker, "-o", params)
+
+    def test_no_sheet_replaces_what_is_read(self):
+        laid = self.write(self.before, "laid-2.json")
+        self.refused(f"sheet 2 of --out would overwrite {laid}, which IN reads", "nest", laid, "--moves", 10, "--sheets",
+                     "100x100*3", "-o", self.path("laid.json"))
+        self.assertEqual(laid.read_text(), self.before)
+
+    def test_a_marker_may_replace_the_one_that_was_read(self):
+        for arguments in (("compact", self.marker, "-o", self.marker), ("convert", self.marker, self.marker),
+                          ("compact", self.marker, "-o", self.path("link.json"), "--format", "native")):
+            with self.subTest(arguments):
+                self.marker.write_text(self.before)
+                self.assertEqual(run(*arguments).returncode, OK)
+                self.assertEqual(json.loads(self.marker.read_text())["format"], "selvage-marker")
+
+    def test_results_may_share_a_device(self):
+        self.assertEqual(run("compact", self.marker, "-o", "/dev/null", "--svg", "/dev/null").returncode, OK)
 
 
 class ShowAndConvert(CliTest):

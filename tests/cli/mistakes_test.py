@@ -84,6 +84,32 @@ class BadInput(CliTest):
             ran = run("compact", MARKERS / "jeans_02g.json", "--spacing=" + spacing)
             self.assertIn(ran.returncode, (BAD_USAGE, BAD_INPUT), spacing)
 
+    def test_two_inputs_cannot_be_standard_input(self):
+        for arguments, said in ((["convert", "-", self.path("o.json"), "--order", "-"], "IN and --order"),
+                                (["plan", "-", "--style", "-"], "ORDER and --style"),
+                                (["plan", self.path("o.csv"), "--style", "-", "--rules", "-"], "--style and --rules")):
+            ran = run(*arguments, text="")
+            self.assertEqual(ran.returncode, BAD_USAGE)
+            self.assertIn(f"only one of {said} can be standard input", ran.stderr)
+
+    def test_empty_files(self):
+        empty = self.write("", "empty.json")
+        self.assertIn(f"{empty}: the file is empty [input.syntax]", run("compact", empty).stderr)
+        self.assertIn(f"{empty}: the text is empty, so it is not JSON [input.syntax]",
+                      run("call", "motion.compact", empty, "--marker", MARKERS / "jeans_02g.json").stderr)
+        style = MARKERS.parent / "trade" / "polypattern_like.dxf"
+        self.assertIn("/rules: the rule table is empty [input.unknown_format]",
+                      run("convert", style, self.path("o.json"), "--rules", empty).stderr)
+        self.assertIn(f"{empty}: the order is empty [input.missing_field]",
+                      run("plan", empty, "--style", MARKERS / "jeans_02g.json").stderr)
+
+    def test_a_place_beyond_the_lattice_is_told_what_its_limit_is(self):
+        ran = run("place", self.write(squares((0, 0))), "--piece", "p0", "--to", "1e9,0")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("in either direction is allowed, as far as the marker's lattice reaches", ran.stderr)
+        ran = run("float", self.write(squares((0, 0))), "--distance", "1e9")
+        self.assertIn("1000000000 is beyond the marker's lattice; up to 109951.1627775 is allowed", ran.stderr)
+
     def test_missing_files(self):
         self.assertEqual(run("check", self.path("nowhere.json")).returncode, FILE)
         self.assertEqual(run("check", self.folder.name).returncode, FILE)

@@ -244,9 +244,24 @@ class Separate(CliTest):
 
     def test_partial_writes_the_result_and_reports_that_it_is_not_valid(self):
         crowd = self.write(squares((0, 0), (0, 30), (0, 60), (0, 10)))
+        ran = run("separate", crowd, "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, NOT_VALID)
+        self.assertIn("the marker is not valid, so nothing was written; --partial writes it nevertheless", ran.stderr)
+        self.assertFalse(self.path("out.json").exists())
+        self.assertNotIn("nothing was written", run("separate", crowd).stderr)
         ran = run("separate", crowd, "--partial", "--json", "-o", self.path("out.json"))
         self.assertEqual(ran.returncode, NOT_VALID)
         self.assertEqual(run("check", self.path("out.json")).returncode, NOT_VALID)
+
+    def test_rules_that_leave_no_room_are_named(self):
+        document = squares(*((38 * k, 0) for k in range(6)))
+        document["shade"] = 50
+        for piece in document["pieces"]:
+            piece["rules"] = {"shade": "A"}
+        ran = run("separate", self.write(document))
+        self.assertEqual(ran.returncode, NOT_VALID)
+        self.assertIn("solver failed", ran.stdout)
+        self.assertIn("shades, match sets, bands or locked pieces may leave no room where the pieces lie", ran.stderr)
 
     def test_pops_out_pieces_that_block_the_separation(self):
         ran = run("separate", self.write(squares((0, 0), (0, 30), (0, 60))), "--pop-out", "--json", "-o",

@@ -91,6 +91,12 @@ class Plan(CliTest):
         error = [abs(one["rounds"][0]["estimated"] / one["rounds"][0]["real"] - 1) for one in (first, plan)]
         self.assertLess(error[1], error[0])
 
+    def test_notes_of_the_order_are_printed(self):
+        ran, plan = self.plan("colour;size;quantity;price\nred;S;4;9\nred;M;8;9\n")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertIn('note: /order/line/1: the column "price" is left out', ran.stderr)
+        self.assertNotIn("the order gives no ratio", ran.stderr)  # which the plan does not use
+
     def test_the_plan_does_not_depend_on_threads(self):
         self.assertEqual(self.plan()[1], self.plan(ORDER, RECTANGLES, "--threads", 3)[1])
 

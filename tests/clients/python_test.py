@@ -114,6 +114,29 @@ class Sync(LiveTest):
             self.assertEqual(marker.bump("right", (-1, 0), commit=False).at, (40, 10))
             self.assertEqual(marker.check().revision, 1)
 
+    def test_opens_patterns_from_paths_and_texts_with_all_options(self):
+        client, trade = self.client(), ROOT / "examples" / "trade"
+        path = trade / "polypattern_like.dxf"
+        rules = (trade / "polypattern_like.rul").read_text()
+        for source in (path, str(path), path.read_text()):
+            with client.open(source) as marker:
+                self.assertEqual(marker.opened.pieces, 5)
+        with client.open(path, rules=rules, order='{"ratio": {"S": 1, "M": 1}}', width=1400, margin_below=10) as marker:
+            document = marker.get().marker
+            self.assertEqual(marker.opened.pieces, 10)
+            self.assertEqual((document["strip"]["width"], document["strip"]["below"]), (1400, 10))
+        for source in (json.dumps(SQUARES), json.dumps(SQUARES, indent=1)):
+            with client.open(source, shade=500) as marker:
+                self.assertEqual(marker.get().marker["shade"], 500)
+        utf16 = self.store.parent / "utf16.dxf"
+        utf16.write_text(path.read_text(), "utf-16")
+        with client.open(utf16) as marker:
+            self.assertEqual(marker.opened.pieces, 5)
+        with self.assertRaisesRegex(selvage_client.CallError, "colour: the field is not known"):
+            client.open(SQUARES, colour="red")
+        with self.assertRaises(FileNotFoundError):
+            client.open("nowhere.json")
+
     def test_outlines_and_a_drawing(self):
         outlines = self.client().open(SQUARES).outlines()
         self.assertEqual([piece.id for piece in outlines.pieces], ["left", "right"])

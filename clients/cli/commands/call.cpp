@@ -30,12 +30,15 @@ bool takes_marker(std::string_view name) {
   return name == run::kApply || protocol::methods::find_method(name)->on_marker;
 }
 
-// Reads JSON text, which begins with a brace, or the file of that name.
+// Whether the parameters are JSON text, which begins with a brace, rather than the name of a file.
+bool is_written_out(const std::string& given) {
+  const std::size_t first = given.find_first_not_of(" \t\n");
+  return first != std::string::npos && given[first] == '{';
+}
+
 Result<Json> read_params(const std::string& given) {
   if (given.empty()) return Json::object();
-  const bool written_out =
-      given.find_first_not_of(" \t\n") != std::string::npos && given[given.find_first_not_of(" \t\n")] == '{';
-  if (written_out) {
+  if (is_written_out(given)) {
     auto params = protocol::json::parse(given);
     if (params) return params;
     return Error{params.error().code, "PARAMS: " + protocol::json::describe(params.error()), ""};
@@ -62,16 +65,17 @@ ExitCode run_call(const command_line::Values& values) {
   if (!inline_params.empty() && !option.empty())
     return report(terminal::bad_usage("give the parameters once: as PARAMS or with --params"));
   const std::string given = option.empty() ? inline_params : option;
-  if (files.in == terminal::kStandardStream && given == terminal::kStandardStream)
+  if (files.in.path == terminal::kStandardStream && given == terminal::kStandardStream)
     return report(terminal::bad_usage("only one of --marker and the parameters can be standard input"));
-  if (!files.in.empty() && !takes_marker(method))
+  if (!files.in.path.empty() && !takes_marker(method))
     return report(terminal::bad_usage(method + " does not work on a marker from a file; leave out --marker"));
-  if (files.in.empty() && takes_marker(method) && !files.server)
+  if (files.in.path.empty() && takes_marker(method) && !files.server)
     return report(terminal::bad_usage(method + " works on a marker: name its file with --marker"));
-  if (const auto failure = check_outputs(files)) return report(*failure);
+  const NamedFile params_file{option.empty() ? "PARAMS" : "--params", is_written_out(given) ? "" : given};
+  if (const auto failure = check_outputs(files, {params_file})) return report(*failure);
   auto params = read_params(given);
   if (!params) return terminal::report(params.error());
-  if (files.in.empty()) return run_without_marker(method, *params, files.server);
+  if (files.in.path.empty()) return run_without_marker(method, *params, files.server);
   return run_on_marker(method, *std::move(params), files, Report::kResult);
 }
 

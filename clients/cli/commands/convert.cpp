@@ -11,6 +11,7 @@
 #include "clients/cli/run/remote.h"
 #include "clients/cli/terminal/files.h"
 #include "clients/cli/terminal/summary.h"
+#include "protocol/files/losses.h"
 #include "protocol/files/writing.h"
 #include "protocol/plots/cut_file.h"
 
@@ -35,7 +36,7 @@ ExitCode write_as(const MarkerFile& file, FileFormat format, const std::string& 
   const auto text = text_of(file, format, server);
   if (const auto* failure = std::get_if<terminal::Failure>(&text)) return terminal::report(*failure);
   if (const auto error = terminal::write_text(path, std::get<std::string>(text))) return terminal::report(*error);
-  terminal::note_left_out(file.marker, format);
+  terminal::print_notes(protocol::files::losses(file, format));
   return ExitCode::kOk;
 }
 
@@ -89,9 +90,28 @@ void report_travel(const MarkerFile& file) {
             << protocol::plots::thousandths(cut.travel_in_order / 1000) << " m\n";
 }
 
+// The name of the file to write and the option that gives it.
+NamedFile written_by(const command_line::Values& values, const char* key, const std::string& path) {
+  return {values.text("OUT").empty() ? "--" + std::string{key} : "OUT", path};
+}
+
+// Checks that OUT replaces no file that is read, except a marker by the same marker.
+std::optional<terminal::Failure> check_convert_output(const command_line::Values& values, const std::string& out) {
+  std::optional<FileFormat> format;
+  if (values.find("format") != nullptr) format = format_named(values.text("format"));
+  std::vector<NamedFile> read = files_of(server_choice(values));
+  read.push_back({"--rules", values.text("rules")});
+  read.push_back({"--order", values.text("order")});
+  std::vector<NamedFile> all = read;
+  all.insert(all.begin(), {"IN", values.text("IN")});
+  if (auto failure = check_inputs(all)) return failure;
+  return check_files(may_replace_input(out, format) ? read : all, {written_by(values, "out", out)});
+}
+
 ExitCode run_convert(const command_line::Values& values) {
   const auto out = output_of(values, "out");
   if (!out) return terminal::report(terminal::bad_usage("name one file to write: OUT, or --out OUT"));
+  if (const auto failure = check_convert_output(values, *out)) return report(*failure);
   const auto options = reading_options(values);
   if (!options) return terminal::report(options.error());
   const auto file = overridden(terminal::load_marker(values.text("IN"), *options), marker_overrides(values));
@@ -112,7 +132,9 @@ ExitCode run_show(const command_line::Values& values) {
   const auto out = readable ? std::string{terminal::kStandardStream} : output_of(values, "svg");
   if (!out) return terminal::report(terminal::bad_usage("name one file to write: OUT, or --svg OUT"));
   const std::string& path = *out;
-  if (const auto failure = check_writable({path})) return report(*failure);
+  std::vector<NamedFile> read = files_of(server_choice(values));
+  read.push_back({"IN", values.text("IN")});
+  if (const auto failure = check_files(read, {written_by(values, "svg", path)})) return report(*failure);
   const auto file = terminal::load_marker(values.text("IN"));
   if (!file) return terminal::report(file.error());
   const ExitCode code = write_as(*file, FileFormat::kSvg, path, server_choice(values));

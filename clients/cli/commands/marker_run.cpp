@@ -29,7 +29,7 @@ using run::Outcome;
 using terminal::ExitCode;
 
 Result<MarkerFile> load(const MarkerFiles& files) {
-  return overridden(terminal::load_marker(files.in), files.overrides);
+  return overridden(terminal::load_marker(files.in.path), files.overrides);
 }
 
 std::optional<Error> save(const MarkerFiles& files, const MarkerFile& file, const Marker& start, const Json& params) {
@@ -86,6 +86,19 @@ std::string report_text(const Outcome& outcome, bool timing, const Marker& marke
   return protocol::json::to_text(protocol::calls::result_json(outcome.marker_id, outcome.revision, fields)) + "\n";
 }
 
+// Says that there are no results, if files were named, and what to try.
+void report_unwritten(const MarkerFiles& files, const Outcome& outcome, const Json& params) {
+  if (outcome.fields.value("stop", "") == protocol::schema::word_of(protocol::calls::StopCause::kSolverFailed)) {
+    terminal::print_notes({{"",
+                            "no step towards a valid marker could be computed: shades, match sets, bands or locked "
+                            "pieces may leave no room where the pieces lie"}});
+  }
+  if (files.out.empty() && files.svg.empty() && files.outlines.empty()) return;
+  const bool partial = outcome.fields.contains("remaining") && !params.contains("partial");
+  std::cerr << terminal::Style{STDERR_FILENO}.bad("selvage:") << " the marker is not valid, so nothing was written"
+            << (partial ? "; --partial writes it nevertheless" : "") << "\n";
+}
+
 }  // namespace
 
 ExitCode exit_code_of(const Outcome& outcome) {
@@ -129,7 +142,10 @@ ExitCode run_on_marker(std::string_view name, Json params, const MarkerFiles& fi
   (to_stderr ? std::cerr : std::cout) << report_text(outcome, timing, file.marker, report, style) << std::flush;
   const ExitCode code = exit_code_of(outcome);
   const bool unchanged = outcome.revision == run::kFirstRevision;
-  if (code == ExitCode::kNotValid && unchanged) return code;
+  if (code == ExitCode::kNotValid && unchanged) {
+    report_unwritten(files, outcome, params);
+    return code;
+  }
   if (const auto error = save(files, outcome.end, file.marker, params)) return terminal::report(*error);
   return code;
 }

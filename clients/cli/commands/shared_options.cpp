@@ -7,6 +7,7 @@
 
 #include "clients/cli/parameters/cloth_options.h"
 #include "clients/cli/terminal/files.h"
+#include "protocol/files/writing.h"
 #include "protocol/formats/format.h"
 
 namespace selvage::cli::commands {
@@ -99,7 +100,7 @@ std::vector<Option> server_options() {
 
 MarkerFiles marker_files(const command_line::Values& values, const std::string& input_key) {
   MarkerFiles files;
-  files.in = values.text(input_key);
+  files.in = {input_key == "marker" ? "--marker" : input_key, values.text(input_key)};
   files.out = values.text("out");
   files.svg = values.text("svg");
   files.outlines = values.text("outlines");
@@ -132,18 +133,58 @@ int standard_outputs(const MarkerFiles& files) {
          (files.outlines == terminal::kStandardStream);
 }
 
-std::optional<terminal::Failure> check_outputs(const MarkerFiles& files) {
+std::optional<terminal::Failure> check_outputs(const MarkerFiles& files, const std::vector<NamedFile>& also_read) {
   if (standard_outputs(files) > 1)
     return terminal::bad_usage("only one of --out, --svg, --outlines can be standard output");
-  return check_writable({files.out, files.svg, files.outlines});
+  std::vector<NamedFile> read = files_of(files.server);
+  read.insert(read.end(), also_read.begin(), also_read.end());
+  std::vector<NamedFile> all = read;
+  all.insert(all.begin(), files.in);
+  const std::vector<NamedFile> others{{"--svg", files.svg}, {"--outlines", files.outlines}};
+  std::vector<NamedFile> written = others;
+  written.insert(written.begin(), {"--out", files.out});
+  if (auto failure = check_files(all, others)) return failure;
+  return check_files(may_replace_input(files.out, files.format) ? read : all, written);
 }
 
-std::optional<terminal::Failure> check_writable(const std::vector<std::string>& paths) {
-  for (const std::string& path : paths) {
-    if (path.empty()) continue;
-    if (const auto error = terminal::why_not_writable(path)) return terminal::failure_of(*error);
+std::optional<terminal::Failure> check_inputs(const std::vector<NamedFile>& read) {
+  const NamedFile* first = nullptr;
+  for (const NamedFile& input : read) {
+    if (input.path != terminal::kStandardStream) continue;
+    if (first != nullptr)
+      return terminal::bad_usage("only one of " + first->option + " and " + input.option + " can be standard input");
+    first = &input;
   }
   return std::nullopt;
+}
+
+std::optional<terminal::Failure> check_files(const std::vector<NamedFile>& read,
+                                             const std::vector<NamedFile>& written) {
+  if (auto failure = check_inputs(read)) return failure;
+  for (auto one = written.begin(); one != written.end(); ++one) {
+    if (one->path.empty()) continue;
+    for (const NamedFile& input : read) {
+      if (!terminal::name_one_file(one->path, input.path)) continue;
+      return terminal::bad_usage(one->option + " would overwrite " + input.path + ", which " + input.option + " reads");
+    }
+    for (auto other = written.begin(); other != one; ++other) {
+      if (!terminal::name_one_file(other->path, one->path)) continue;
+      return terminal::bad_usage(other->option + " and " + one->option + " name the same file, " + one->path);
+    }
+    if (const auto error = terminal::why_not_writable(one->path)) return terminal::failure_of(*error);
+  }
+  return std::nullopt;
+}
+
+bool may_replace_input(const std::string& out, std::optional<protocol::files::FileFormat> format) {
+  using protocol::files::FileFormat;
+  const FileFormat written =
+      format.value_or(protocol::files::format_of_name(out, FileFormat::kNative).value_or(FileFormat::kNative));
+  return written == FileFormat::kNative || written == FileFormat::kSparrow;
+}
+
+std::vector<NamedFile> files_of(const run::ServerChoice& server) {
+  return {{"--token-file", server.token_file}, {"--trust", server.trusted}};
 }
 
 protocol::files::FileFormat format_named(const std::string& name) {

@@ -23,9 +23,14 @@ struct MarkerOverrides {
   Result<protocol::edits::Cloth> cloth{protocol::edits::Cloth{}};  // an error if the options cannot be read
 };
 
+// A file that a command reads or writes, and the option that names it.
+struct NamedFile {
+  std::string option, path;  // an empty path: the option was not given
+};
+
 // Where the marker of a command comes from, where the results go and where the command runs.
 struct MarkerFiles {
-  std::string in;
+  NamedFile in;
   std::string out, svg, outlines;                     // empty: not written
   std::optional<protocol::files::FileFormat> format;  // of `out`; if none, its suffix decides
   MarkerOverrides overrides;                          // for `in`
@@ -55,11 +60,22 @@ struct MarkerFiles {
 
 // The number of result files that are standard output.
 [[nodiscard]] int standard_outputs(const MarkerFiles& files);
-// Checks that at most one of them is standard output, and that all can be written.
-[[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files);
+// Checks that at most one of them is standard output, that no two of them are one file, that none is a file that is
+// read, and that all can be written.  The marker itself may take the place of the one that was read.  `also_read` are
+// files that the command reads besides.
+[[nodiscard]] std::optional<terminal::Failure> check_outputs(const MarkerFiles& files,
+                                                             const std::vector<NamedFile>& also_read = {});
+// Checks that at most one of the files is standard input.
+[[nodiscard]] std::optional<terminal::Failure> check_inputs(const std::vector<NamedFile>& read);
+// check_inputs, and the same as check_outputs for a command that writes other files.
+[[nodiscard]] std::optional<terminal::Failure> check_files(const std::vector<NamedFile>& read,
+                                                           const std::vector<NamedFile>& written);
 
-// Checks, before the work begins, that these files can be written; empty names are ignored.
-[[nodiscard]] std::optional<terminal::Failure> check_writable(const std::vector<std::string>& paths);
+// Whether the marker that is read and written back into its file keeps everything: what was drawn or planned for a
+// machine cannot replace a marker.
+[[nodiscard]] bool may_replace_input(const std::string& out, std::optional<protocol::files::FileFormat> format);
+// The files that the choice of a daemon names.
+[[nodiscard]] std::vector<NamedFile> files_of(const run::ServerChoice& server);
 
 // REQUIRES: `name` is one of protocol::files::kFileFormatNames.
 [[nodiscard]] protocol::files::FileFormat format_named(const std::string& name);

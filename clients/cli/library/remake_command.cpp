@@ -44,12 +44,12 @@ Result<Json> stored_near(const std::string& order, const std::string& folder) {
 terminal::ExitCode run_remake(const std::vector<ParameterOption>& options, const command_line::Values& values) {
   const commands::MarkerFiles files = commands::marker_files(values, "ORDER");
   if (const auto failure = check_outputs(files)) return report(*failure);
-  if (files.in == terminal::kStandardStream) {
+  if (files.in.path == terminal::kStandardStream) {
     return report(terminal::bad_usage("the order is read twice, so it cannot be standard input"));
   }
   auto params = parameters::params_from(options, values);
   if (!params) return terminal::report(params.error());
-  auto stored = stored_near(files.in, values.text("library"));
+  auto stored = stored_near(files.in.path, values.text("library"));
   if (!stored) return terminal::report(stored.error());
   (*params)["stored"] = *std::move(stored);
   if (const auto seconds = values.number("time")) (*params)["deadlineMs"] = 1000 * *seconds;

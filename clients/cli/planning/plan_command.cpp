@@ -162,8 +162,24 @@ Result<protocol::trade::orders::Order> order_in(const std::string& text, const s
   return Error{order.error().code, path + ": " + protocol::json::describe(order.error()), ""};
 }
 
+// The notes of both files.  Those of the order are among those of a style whose pieces it chose.
+std::vector<Note> notes_of(const protocol::trade::orders::Order& order, const MarkerFile& style) {
+  std::vector<Note> notes;
+  for (const Note& note : order.notes) {
+    const auto same = [&](const Note& other) { return other.text == note.text; };
+    if (std::ranges::none_of(style.notes, same))
+      notes.push_back({note.field.empty() ? "" : "/order" + note.field, note.text});
+  }
+  notes.insert(notes.end(), style.notes.begin(), style.notes.end());
+  return notes;
+}
+
 ExitCode run_plan_command(const command_line::Values& values) {
-  if (const auto failure = commands::check_writable({values.text("out"), values.text("html")})) return report(*failure);
+  std::vector<commands::NamedFile> read = commands::files_of(commands::server_choice(values));
+  for (const char* const option : {"ORDER", "--style", "--rules"})
+    read.push_back({option, values.text(std::string_view{option}.substr(*option == '-' ? 2 : 0))});
+  const std::vector<commands::NamedFile> written{{"--out", values.text("out")}, {"--html", values.text("html")}};
+  if (const auto failure = commands::check_files(read, written)) return report(*failure);
   const auto text = terminal::read_text(values.text("ORDER"));
   if (!text) return terminal::report(text.error());
   const auto order = order_in(*text, values.text("ORDER"));
@@ -174,7 +190,7 @@ ExitCode run_plan_command(const command_line::Values& values) {
   if (!params) return terminal::report(params.error());
   const auto call = plan_method().read(*params);
   if (!call) return terminal::report(call.error());
-  terminal::print_notes(style->notes);
+  terminal::print_notes(notes_of(*order, *style));
   const auto done = run_plan({plan_method(), *params, *call, *style}, values);
   if (const auto* failure = std::get_if<terminal::Failure>(&done)) return terminal::report(*failure);
   const Json& plan = std::get<run::Outcome>(done).fields;

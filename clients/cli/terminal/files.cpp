@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "clients/cli/terminal/style.h"
+#include "protocol/files/losses.h"
 #include "protocol/files/writing.h"
 #include "protocol/json/fields.h"
 #include "protocol/json/json_text.h"
@@ -74,6 +75,17 @@ std::optional<Error> write_whole(const std::string& path, std::string_view text)
   return file_error(path, "written");
 }
 
+// The whole name without links, also of a file that does not exist yet and to which a link leads.
+std::filesystem::path resolved(const std::string& name) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;
+  std::error_code ignored;
+  fs::path path = fs::absolute(name, ignored);
+  for (int k = 0; k < kMostLinks && fs::is_symlink(path, ignored) && !fs::exists(path, ignored); ++k)
+    path = path.parent_path() / fs::read_symlink(path, ignored);
+  return fs::weakly_canonical(path, ignored);
+}
+
 }  // namespace
 
 Result<std::string> read_text(const std::string& path) {
@@ -113,6 +125,15 @@ std::optional<Error> why_not_writable(const std::string& path) {
   return file_error(path, "written");
 }
 
+bool name_one_file(const std::string& first, const std::string& second) {
+  if (first.empty() || second.empty() || first == kStandardStream || second == kStandardStream) return false;
+  std::error_code ignored;
+  const std::filesystem::path one = resolved(first);
+  const auto status = std::filesystem::status(one, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return false;
+  return one == resolved(second);
+}
+
 Result<MarkerFile> load_marker(const std::string& path, const protocol::trade::ReadingOptions& options) {
   const auto text = read_text(path);
   if (!text) return text.error();
@@ -126,19 +147,8 @@ std::optional<Error> save_marker(const std::string& path, const MarkerFile& file
   const auto text = protocol::files::write_marker(file, format);
   if (!text) return text.error();
   if (auto error = write_text(path, *text)) return error;
-  note_left_out(file.marker, format);
+  print_notes(protocol::files::losses(file, format));
   return std::nullopt;
-}
-
-void note_left_out(const Marker& marker, protocol::files::FileFormat format) {
-  using protocol::files::FileFormat;
-  static constexpr FileFormat kListing[] = {FileFormat::kNative, FileFormat::kSparrow, FileFormat::kEsicup,
-                                            FileFormat::kOutlines};
-  const std::size_t count = marker.unplaced.size();
-  const bool listing = std::find(std::begin(kListing), std::end(kListing), format) != std::end(kListing);
-  if (count == 0 || listing) return;
-  print_notes({{"", std::to_string(count) + (count == 1 ? " unplaced piece is" : " unplaced pieces are") +
-                        " left out; native, sparrow and esicup files list them"}});
 }
 
 void print_notes(const std::vector<Note>& notes) {

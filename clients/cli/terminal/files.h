@@ -23,6 +23,10 @@ inline constexpr std::string_view kStandardStream = "-";
 // Checks, without writing, whether the file can be written, and returns the error if it cannot.  Errors: kFile.
 [[nodiscard]] std::optional<Error> why_not_writable(const std::string& path);
 
+// Whether both names are those of one file, or of one that is yet to be written; links are followed.  Never so for
+// standard streams, pipes and devices, which several results may share.
+[[nodiscard]] bool name_one_file(const std::string& first, const std::string& second);
+
 // read_text followed by read_file; the errors of both, with the file's name in the message.
 [[nodiscard]] Result<MarkerFile> load_marker(const std::string& path,
                                              const protocol::trade::ReadingOptions& options = {});
@@ -33,7 +37,5 @@ inline constexpr std::string_view kStandardStream = "-";
 // Prints the notes of a reader to stderr: the first few different ones, and how many more there are.  Notes of the same
 // text are printed once, with their number.
 void print_notes(const std::vector<Note>& notes);
-// Prints a note if the marker has unplaced pieces and the format to which it was written does not list them.
-void note_left_out(const Marker& marker, protocol::files::FileFormat format);
 
 }  // namespace selvage::cli::terminal

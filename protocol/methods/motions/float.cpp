@@ -115,7 +115,10 @@ Result<calls::Motion<FloatResult>> run_float(const FloatParams& params, const Ma
                                              const calls::MethodContext& context) {
   const double wanted = params.distance.value_or(kStandardGap * to_decimal(start.strip.width, start.resolution));
   if (!fits_lattice(wanted, start.resolution)) {
-    return Error{ErrorCode::kOutOfRange, json::number_text(wanted) + " is beyond the marker's lattice", "/distance"};
+    return Error{ErrorCode::kOutOfRange,
+                 json::number_text(wanted) + " is beyond the marker's lattice; up to " +
+                     json::number_text(to_decimal(kLatticeLimit - 1, start.resolution)) + " is allowed",
+                 "/distance"};
   }
   const Coord distance = std::max(to_lattice(wanted, start.resolution), Coord{1});
   motion::floating::FloatSettings settings = float_settings(params.mode, distance);

@@ -41,6 +41,17 @@ std::string pdf_string(std::string_view text) {
   return out + ")";
 }
 
+bool keeps_letters(std::string_view text) {
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(text[k]);
+    if (byte >= 0x20 && byte < 0x7f) continue;
+    if ((byte != 0xc2 && byte != 0xc3) || k + 1 == text.size()) return false;
+    const auto next = static_cast<unsigned char>(text[++k]);
+    if (byte == 0xc2 && next < 0xa0) return false;  // control characters of Latin-1
+  }
+  return true;
+}
+
 PdfPage::PdfPage(double width, double height) : width_{width}, height_{height} {
   const double longest = std::max(width, height) * kPointsPerMillimetre;
   user_unit_ = std::max(1, static_cast<int>(std::ceil(longest / kLongestPage)));

@@ -50,5 +50,7 @@ class PdfDocument {
 
 // Latin-1 as a PDF string, in parentheses; other characters as ?.
 [[nodiscard]] std::string pdf_string(std::string_view text);
+// Whether pdf_string keeps every character.
+[[nodiscard]] bool keeps_letters(std::string_view text);
 
 }  // namespace selvage::protocol::plots::pdf

@@ -32,6 +32,19 @@ void keep_text(const dxf::Entity& entity, Texts& texts) {
   }
 }
 
+// A text as the nest's writer had it: in quotes if DXF would not have kept it.
+std::string unquoted(const std::string& text) {
+  if (text.size() < 2 || text.front() != '"' || text.back() != '"') return text;
+  const auto value = json::parse(text);
+  return value && value->is_string() ? value->get<std::string>() : text;
+}
+
+std::string name_in(const Texts& texts, const std::string& key) {
+  return unquoted(text_or_empty(texts, key));
+}
+
+constexpr std::string_view kWriter = "Selvage";  // the author of a nest that has no other
+
 class NestReader {
  public:
   NestReader(const dxf::DxfDrawing& drawing, std::size_t bytes) : drawing_{drawing}, bytes_{bytes} {}
@@ -69,7 +82,12 @@ class NestReader {
   }
 
   void read_strip(const Texts& texts) {
-    written_.name = text_or_empty(texts, "Style Name");
+    written_.name = name_in(texts, "Style Name");
+    for (const auto& [key, word] :
+         {std::pair{"Author", "author"}, {"Product", "product"}, {"Version", "version"}, {"Creation Date", "date"}}) {
+      const std::string text = name_in(texts, key);
+      if (!text.empty() && text != kWriter) attributes_.whole[word] = text;
+    }
     written_.unit = text_or_empty(texts, "Units") == "ENGLISH" ? "in" : "mm";
     written_.width = number(texts, "Marker Width", 0, formats::kStripWidths);
     written_.margin = number(texts, "Marker Margin", 0, kLengths);
@@ -92,17 +110,18 @@ class NestReader {
 
   void read_block(const dxf::Block& block, blocks::BlockReading& reading) {
     const PatternBlock pattern = blocks::read_pattern_block(block, reading);
-    const std::string* name = pattern.text("PIECE NAME");
-    if (!name || pattern.boundary.empty()) return;
+    const std::string* written_name = pattern.text("PIECE NAME");
+    if (!written_name || pattern.boundary.empty()) return;
+    const std::string name = unquoted(*written_name);
     Texts texts;
     for (const dxf::Entity& entity : block.entities) keep_text(entity, texts);
     const bool mirrored = texts.contains("Marker Mirrored");
-    const auto [known, fresh] = shape_of_.emplace(*name, written_.shapes.size());
+    const auto [known, fresh] = shape_of_.emplace(name, written_.shapes.size());
     blocks_.emplace(std::string{block.name}, std::pair{known->second, mirrored});
     if (!fresh) return;
     const document::Frame unmirrored{mirrored, 0, {}};
     formats::DecimalShape shape;
-    shape.shape.id = *name;
+    shape.shape.id = name;
     for (const Spot& point : pattern.boundary.front().points) {
       const Spot at = unmirrored.apply(point);
       shape.outline.push_back({at.x, at.y});
@@ -118,11 +137,12 @@ class NestReader {
       for (const auto& [from, to] : *lines) annotations.lines.push_back({kind, false, {from, to}});
     }
     Json attributes = Json::object();
+    if (const std::string called = name_in(texts, "Marker Name"); !called.empty()) attributes["name"] = called;
     for (const auto& [key, word] : {std::pair{"SIZE", "size"},
                                     {"MATERIAL", "material"},
                                     {"CATEGORY", "category"},
                                     {"ANNOTATION", "annotation"}}) {
-      if (const std::string* text = pattern.text(key)) attributes[word] = *text;
+      if (const std::string* text = pattern.text(key)) attributes[word] = unquoted(*text);
     }
     if (!annotations.empty()) attributes["annotations"] = annotations_json(placed(annotations, unmirrored));
     attributes_.shapes.push_back(std::move(attributes));
@@ -172,8 +192,8 @@ class NestReader {
       return;
     }
     formats::DecimalPiece piece;
-    const std::string id = text_or_empty(attributes, "PIECE");
-    piece.piece.id = id.empty() ? std::to_string(written_.pieces.size()) : id;
+    const bool named = !text_or_empty(attributes, "PIECE").empty();
+    piece.piece.id = named ? name_in(attributes, "PIECE") : std::to_string(written_.pieces.size());
     piece.shape = written_.shapes[block->second.first].shape.id;
     piece.at = {insert.vertices.front().x, insert.vertices.front().y};
     Orientation& orientation = piece.piece.orientation;
@@ -181,7 +201,7 @@ class NestReader {
     orientation.flip = block->second.second;
     orientation.tilt = Angle::of_degrees(number(attributes, "TILT", 0, {-45, 45}));
     orientation.rotation = Angle::of_degrees(number(attributes, "ROTATION", turned, kTurns));
-    piece.piece.group = text_or_empty(attributes, "GROUP");
+    piece.piece.group = name_in(attributes, "GROUP");
     piece.buffer = number(attributes, "BUFFER", 0, kLengths);
     piece.overlap = maybe_number(attributes, "OVERLAP");
     piece.rules.below = maybe_number(attributes, "BELOW");
@@ -193,8 +213,8 @@ class NestReader {
       piece.rules.match = formats::Decimal{number(attributes, "MATCH_X", 0, kCoordinates),
                                            number(attributes, "MATCH_Y", 0, kCoordinates)};
     }
-    if (attributes.contains("MATCH_SET")) piece.rules.match_set = text_or_empty(attributes, "MATCH_SET");
-    if (attributes.contains("SHADE")) piece.rules.shade = text_or_empty(attributes, "SHADE");
+    if (attributes.contains("MATCH_SET")) piece.rules.match_set = name_in(attributes, "MATCH_SET");
+    if (attributes.contains("SHADE")) piece.rules.shade = name_in(attributes, "SHADE");
     if (attributes.contains("QUALITY"))
       piece.rules.quality = static_cast<marker::Quality>(number(attributes, "QUALITY", 0, kQualities));
     piece.rules.part = read_part(attributes);
@@ -204,7 +224,10 @@ class NestReader {
     piece.piece.locked = Locks{has('x'), has('y'), has('t')};
     written_.pieces.push_back(std::move(piece));
     Json kept = Json::object();
-    if (const std::string bundle = text_or_empty(attributes, "BUNDLE"); !bundle.empty()) kept["bundle"] = bundle;
+    for (const auto& [key, word] :
+         {std::pair{"BUNDLE", "bundle"}, {"SIZE", "size"}, {"STYLE", "style"}, {"SIDE", "side"}, {"LABEL", "label"}}) {
+      if (const std::string value = name_in(attributes, key); !value.empty()) kept[word] = value;
+    }
     attributes_.pieces.push_back(std::move(kept));
   }
 

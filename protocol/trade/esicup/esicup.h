@@ -1,10 +1,11 @@
 // The nesting XML of ESICUP (github.com/ESICUP/datasets): a lot of pieces, a board, and perhaps solutions.
 //
 // Its coordinates grow downwards from the upper left ("up-left"); ours grow upwards, so y and angles change sign.  The
-// format has no unit: the caller's or millimetres are assumed, and numbers are not converted.  The shortest solution
-// places the pieces; without one they lie in columns, as those of a pattern do.
+// format has no unit: the caller's or millimetres are assumed when it is read, and millimetres are written.  The
+// shortest solution places the pieces; without one they lie in columns, as those of a pattern do.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,5 +24,8 @@ namespace selvage::protocol::trade::esicup {
 // The lot, the board as long as the marker, and the marker as the solution.  A flipped piece is written as a separate
 // piece with a mirrored polygon.
 [[nodiscard]] std::string esicup_file(const MarkerFile& file);
+// What happens to the numbers of a marker that is not in millimetres, as the form states no unit: those of a known unit
+// are converted to millimetres.
+[[nodiscard]] std::optional<Note> unit_note(const Marker& marker);
 
 }  // namespace selvage::protocol::trade::esicup

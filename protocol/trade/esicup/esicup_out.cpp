@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <pugixml.hpp>
 #include <sstream>
@@ -8,6 +10,21 @@
 
 namespace selvage::protocol::trade::esicup {
 namespace {
+
+// A unit as a whole number of steps of a power of ten of a millimetre: 254 tenths for an inch.
+struct Steps {
+  std::string_view unit;
+  Coord count;
+  int exponent;
+};
+constexpr Steps kUnits[] = {{"mm", 1, 0},      {"cm", 1, 1},     {"m", 1, 3},     {"in", 254, -1},
+                            {"inch", 254, -1}, {"ft", 3048, -1}, {"yd", 9144, -1}};
+
+const Steps* steps_of(const std::string& unit) {
+  const auto* const found =
+      std::find_if(std::begin(kUnits), std::end(kUnits), [&](const Steps& one) { return one.unit == unit; });
+  return found == std::end(kUnits) ? nullptr : found;
+}
 
 class NestingWriter {
  public:
@@ -48,7 +65,12 @@ class NestingWriter {
     parent.append_child(name).text() = text.c_str();
   }
   [[nodiscard]] std::string decimal(Coord coord) const {
-    return json::number_text(to_decimal(coord, marker_.resolution));
+    const Steps* const steps = steps_of(marker_.unit);
+    if (steps == nullptr) return json::number_text(to_decimal(coord, marker_.resolution));
+    const int exponent = marker_.resolution.exponent + steps->exponent;
+    const double finest = exponent < geometry::kFinestExponent ? 10 : 1;
+    return json::number_text(
+        to_decimal(coord * steps->count, Resolution{std::max(exponent, geometry::kFinestExponent)}) / finest);
   }
   [[nodiscard]] std::string id_of(const Key& key) const {
     return marker_.shapes[key.first].id + (key.second ? "_L" : "");
@@ -125,6 +147,15 @@ class NestingWriter {
 };
 
 }  // namespace
+
+std::optional<Note> unit_note(const Marker& marker) {
+  const Steps* const steps = steps_of(marker.unit);
+  if (steps != nullptr && steps->unit == "mm") return std::nullopt;
+  const std::string unit = json::shortened(Json(marker.unit));
+  return Note{
+      "", "ESICUP XML states no unit: " +
+              (steps != nullptr ? "the numbers are converted from " + unit + " to mm" : "the numbers are in " + unit)};
+}
 
 std::string esicup_file(const MarkerFile& file) {
   return NestingWriter{file}.write();

@@ -84,6 +84,7 @@ class OrderReader {
 };
 
 Result<Order> read_utf8(std::string_view text) {
+  if (trimmed(text).empty()) return Error{ErrorCode::kMissingField, "the order is empty", ""};
   if (!trimmed(text.substr(0, 4096)).starts_with('{')) return read_order_table(text);
   const auto document = json::parse(text);
   if (!document) return document.error();
@@ -111,7 +112,8 @@ Result<Order> one_of_each_size(Order order) {
     return Error{ErrorCode::kOutOfRange, "upDown turns every second bundle; in a plan, one or either is allowed",
                  "/mode"};
   }
-  order.notes.clear();  // they concern the ratio
+  std::erase_if(order.notes,
+                [](const Note& note) { return note.text.starts_with(kNoRatio) || note.text.starts_with(kLeftOut); });
   order.ratio.clear();
   for (const Quantity& quantity : order.quantities) {
     const bool known = std::any_of(order.ratio.begin(), order.ratio.end(),

@@ -1,7 +1,9 @@
 #include "protocol/trade/orders/order_table.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/json/json_text.h"
@@ -116,6 +118,10 @@ class TableReader {
         if (auto error = add(row.cells[0], heading_.cells[k], row, k)) return error;
       }
     }
+    for (const auto& [size, garments] : sums_.all()) {  // perhaps a column that is no size
+      if (garments == 0 && !is_usual_size(size))
+        note(heading_.line, "no garments are ordered in the column " + quoted(size) + ", which is taken as a size");
+    }
     return std::nullopt;
   }
 
@@ -171,6 +177,10 @@ class TableReader {
       note(row.line,
            quoted(cell) + " is read as " + std::to_string(garments->count) + ": its mark is that of thousands");
     }
+    if (garments->count > 0 && !named_.emplace(colour, size).second) {
+      note(row.line, "garments of colour " + quoted(colour) + " and size " + quoted(size) +
+                         " are ordered again; all of them are added up");
+    }
     if (!cell.empty()) order_.quantities.push_back({colour, size, garments->count});
     if (!size.empty()) sums_.add(size, garments->count);
     return std::nullopt;
@@ -183,6 +193,7 @@ class TableReader {
   std::size_t unread_columns_{};  // behind those of the heading: sums, or empty
   std::vector<Row> rows_;
   bool noted_thousands_{};
+  std::set<std::pair<std::string, std::string>> named_;  // colours and sizes of which garments are ordered
   Order order_;
   Sums sums_;
 };

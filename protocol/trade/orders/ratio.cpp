@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "protocol/json/json_text.h"
+
 namespace selvage::protocol::trade::orders {
 
 void Sums::add(const std::string& size, int garments) {
@@ -17,7 +19,15 @@ bool Sums::none() const {
 }
 
 void settle_ratio(Order& order, const Sums& sums) {
-  if (!order.ratio.empty()) return;
+  if (!order.ratio.empty()) {
+    for (const auto& [size, garments] : sums.all()) {
+      const auto of_size = [&name = size](const auto& bundles) { return bundles.first == name && bundles.second > 0; };
+      if (garments == 0 || std::any_of(order.ratio.begin(), order.ratio.end(), of_size)) continue;
+      order.notes.push_back({"", std::string{kLeftOut} + json::shortened(Json(size)) + ", of which " +
+                                     std::to_string(garments) + " garments are ordered"});
+    }
+    return;
+  }
   std::int64_t divisor = 0;
   for (const auto& [size, garments] : sums.all()) divisor = std::gcd(divisor, garments);
   std::string shown;
@@ -28,7 +38,7 @@ void settle_ratio(Order& order, const Sums& sums) {
     shown += (shown.empty() ? "" : ", ") + size + ": " + std::to_string(bundles);
   }
   order.notes.push_back(
-      {"", "the order gives no ratio: " + shown + ", of which " + std::to_string(divisor) + " plies are needed"});
+      {"", std::string{kNoRatio} + shown + ", of which " + std::to_string(divisor) + " plies are needed"});
 }
 
 }  // namespace selvage::protocol::trade::orders

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,12 @@ class Sums {
   std::map<std::string, std::size_t> position_;  // of each size in sums_
 };
 
+// The beginnings of the notes of settle_ratio.
+inline constexpr std::string_view kNoRatio = "the order gives no ratio: ",
+                                  kLeftOut = "the ratio has no bundle of size ";
+
 // Gives the order the sums divided by their greatest common divisor as its ratio, with a note, unless it has a ratio.
+// Then sizes with garments that are not in the ratio are noted.
 // Without garments the ratio stays empty.
 void settle_ratio(Order& order, const Sums& sums);
 

@@ -58,6 +58,7 @@ class TableReader {
     }
     if (const auto error = read_rules()) return *error;
     if (table_.sizes.empty()) {
+      if (lines_.number() == 0) return Error{ErrorCode::kUnknownFormat, "the rule table is empty", ""};
       return Error{ErrorCode::kUnknownFormat, "no grade rule table: there is no SIZE LIST", ""};
     }
     return std::move(table_);

@@ -8,6 +8,7 @@
 #include "core/marker/validity.h"
 #include "protocol/document/annotations.h"
 #include "protocol/edits/cloth.h"
+#include "protocol/files/losses.h"
 #include "protocol/files/writing.h"
 #include "tests/protocol/formats/samples.h"
 #include "tests/protocol/trade/example.h"
@@ -17,6 +18,7 @@ namespace {
 
 using protocol::files::FileFormat;
 using protocol::files::format_of_name;
+using protocol::files::losses;
 using protocol::files::read_file;
 using protocol::files::write_marker;
 using test::read_example;
@@ -113,6 +115,144 @@ TEST(Writing, OpenHolesAreCutOnceAndWithoutTheirSlits) {
   }
 }
 
+// A frame around a frame around a square, drawn from the outside to the inside, and a square beside them.
+MarkerFile nested_frames() {
+  MarkerFile file = test::read(test::json(R"({
+    "format": "selvage-marker", "version": 1, "name": "", "strip": {"width": 400},
+    "shapes": [{"id": "large", "outline": [[0, 0], [400, 0], [400, 400], [0, 400]],
+                "holes": [[[50, 50], [350, 50], [350, 350], [50, 350]]]},
+               {"id": "small", "outline": [[0, 0], [200, 0], [200, 200], [0, 200]],
+                "holes": [[[40, 40], [160, 40], [160, 160], [40, 160]]]},
+               {"id": "square", "outline": [[0, 0], [40, 0], [40, 40], [0, 40]]}],
+    "pieces": [{"id": "outer", "shape": "large", "at": [0, 0]}, {"id": "inner", "shape": "small", "at": [100, 100]},
+               {"id": "middle", "shape": "square", "at": [180, 180]},
+               {"id": "beside", "shape": "square", "at": [400, 0]}]})"));
+  auto open = protocol::edits::with_cloth(std::move(file), {.open_holes = true});
+  if (!open) throw std::runtime_error(open.error().message);
+  return *std::move(open);
+}
+
+TEST(Cut, WhatLiesInAHoleIsCutBeforeThePieceAroundIt) {
+  const std::string text = written(nested_frames(), FileFormat::kCut);
+  const auto place = [&](const char* label) { return text.find("M31*" + std::string{label} + "*"); };
+  ASSERT_NE(place("beside"), std::string::npos);
+  ASSERT_NE(place("outer"), std::string::npos);
+  EXPECT_LT(place("middle"), place("inner"));
+  EXPECT_LT(place("inner"), place("outer"));
+}
+
+// Whether the spot lies on the cloth of the outer frame, at least this far from its edges.
+bool on_outer_frame(double x, double y, double least) {
+  const double from_outside = std::min({x, y, 400 - x, 400 - y});
+  return from_outside >= least && from_outside <= 50 - least;
+}
+
+TEST(Writing, TheLabelOfAPieceWithAHoleLiesOnItsCloth) {
+  const std::string cut = written(nested_frames(), FileFormat::kCut);
+  const std::size_t label = cut.find("M31*outer*"), begin = cut.rfind('X', label);
+  const double x = std::stod(cut.substr(begin + 1)), y = std::stod(cut.substr(cut.find('Y', begin) + 1));
+  EXPECT_TRUE(on_outer_frame(x / 10, y / 10, 10)) << x << " " << y;
+
+  const std::string plot = written(nested_frames(), FileFormat::kHpgl);
+  const std::size_t pen = plot.rfind("PU", plot.find("LBouter"));
+  const double left = std::stod(plot.substr(pen + 2)), low = std::stod(plot.substr(plot.find(',', pen) + 1));
+  EXPECT_TRUE(on_outer_frame(left / 40, low / 40, 5)) << left << " " << low;
+}
+
+TEST(DxfNest, KeepsTheAttributesForWhichItHasPlaces) {
+  MarkerFile file = rich_marker();
+  file.attributes.whole =
+      test::json(R"({"author": "A. Schneider", "product": "blouse", "version": "2", "date": "7-3"})");
+  file.attributes.shapes[0]["name"] = "Vorderteil";
+  file.attributes.pieces[0] =
+      test::json(R"({"bundle": "S-A", "size": "S", "style": "ST", "side": "left", "label": "FRONT 1"})");
+  const auto back = read_file(written(file, FileFormat::kDxf));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->attributes.whole, file.attributes.whole);
+  EXPECT_EQ(back->attributes.pieces, file.attributes.pieces);
+  EXPECT_EQ(back->attributes.shapes[0]["name"], Json("Vorderteil"));
+  EXPECT_EQ(losses(file, FileFormat::kDxf), std::vector<Note>{});
+  EXPECT_TRUE(read_file(written(rich_marker(), FileFormat::kDxf))->attributes.whole.empty());
+}
+
+TEST(DxfNest, NotesTheAttributesThatItLoses) {
+  MarkerFile file = rich_marker();
+  file.attributes.whole["lot"] = 7;
+  file.attributes.shapes[1]["size"] = 40;
+  file.attributes.pieces[0]["colour"] = "red";
+  file.attributes.pieces[1]["batch"] = "9";
+  const std::vector<Note> notes = losses(file, FileFormat::kDxf);
+  ASSERT_EQ(notes.size(), 3U);
+  EXPECT_EQ(notes[0].text, "DXF has no place for these attributes of the marker: \"lot\"");
+  EXPECT_EQ(notes[1].text, "DXF has no place for these attributes of the shapes: \"size\"");
+  EXPECT_EQ(notes[2].text, "DXF has no place for these attributes of the pieces: \"batch\", \"colour\"");
+}
+
+TEST(DxfNest, ReadsBackWithAnyIds) {
+  const std::vector<std::string> ids{
+      "",         " ",   "a",      "a ",         " a",         "a\nb",         "a\tb", "\"a\"", "\"",
+      "\\U+00E4", "a\\", "\u00e4", "\U0001F600", "\U0001F601", "\u6807\u8bb0", "a: b", "\x7f"};
+  MarkerFile file = rich_marker();
+  file.marker.pieces.resize(1);
+  file.attributes.pieces.resize(1);
+  file.marker.shapes.clear();
+  file.attributes.shapes.clear();
+  const Piece first = file.marker.pieces[0];
+  file.marker.pieces.clear();
+  for (std::uint32_t k = 0; k < ids.size(); ++k) {
+    const Coord side = to_lattice(10 + k, file.marker.resolution);
+    file.marker.shapes.push_back({.id = ids[k], .outline = {{0, 0}, {side, 0}, {0, side}}, .tilt_limit = {}});
+    file.attributes.shapes.push_back(Json::object());
+    file.marker.pieces.push_back(first);
+    Piece& piece = file.marker.pieces.back();
+    piece.id = ids[k];
+    piece.shape = {k};
+    piece.at = {side + to_lattice(40 * k, file.marker.resolution), 0};
+    piece.rules = {};
+    piece.rules.shade = piece.group = ids[k];
+  }
+  file.attributes.pieces.assign(ids.size(), Json::object());
+  const auto back = read_file(written(file, FileFormat::kDxf));
+  ASSERT_TRUE(back) << back.error().field << ": " << back.error().message;
+  EXPECT_EQ(back->marker, file.marker);
+  const std::vector<Note> notes = losses(file, FileFormat::kDxf);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_TRUE(notes[0].text.starts_with("20 ids are written in quotes")) << notes[0].text;
+}
+
+TEST(Losses, AreLettersThatTheFormatDoesNotHave) {
+  MarkerFile file = test::read(test::native_squares());
+  for (const FileFormat format : {FileFormat::kCut, FileFormat::kHpgl, FileFormat::kPdf, FileFormat::kReport})
+    EXPECT_EQ(losses(file, format), std::vector<Note>{});
+  file.marker.pieces[0].id = "\u00c4rmel";
+  EXPECT_NE(written(file, FileFormat::kPdf).find("(\\304rmel)"), std::string::npos);
+  EXPECT_EQ(losses(file, FileFormat::kPdf), std::vector<Note>{});
+  for (const FileFormat format : {FileFormat::kCut, FileFormat::kHpgl}) {
+    ASSERT_EQ(losses(file, format).size(), 1U);
+    EXPECT_NE(losses(file, format)[0].text.find("which are replaced; the first is \"\u00c4rmel\""), std::string::npos);
+  }
+  file.marker.pieces[1].id = "\u6807\u8bb0";
+  ASSERT_EQ(losses(file, FileFormat::kPdf).size(), 1U);
+  EXPECT_TRUE(losses(file, FileFormat::kPdf)[0].text.starts_with("1 text has characters that PDF does not have"));
+}
+
+TEST(Esicup, IsInMillimetres) {
+  MarkerFile file = test::read(test::native_squares());
+  EXPECT_EQ(losses(file, FileFormat::kEsicup), std::vector<Note>{});
+  const MarkerFile millimetres = file;
+  file.marker.unit = "in";
+  const auto back = read_file(written(file, FileFormat::kEsicup));
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_EQ(back->marker.unit, "mm");
+  EXPECT_EQ(to_decimal(back->marker.strip.width, back->marker.resolution),
+            25.4 * to_decimal(millimetres.marker.strip.width, millimetres.marker.resolution));
+  ASSERT_EQ(losses(file, FileFormat::kEsicup).size(), 1U);
+  EXPECT_EQ(losses(file, FileFormat::kEsicup)[0].text,
+            "ESICUP XML states no unit: the numbers are converted from \"in\" to mm");
+  file.marker.unit = "ell";
+  EXPECT_EQ(losses(file, FileFormat::kEsicup)[0].text, "ESICUP XML states no unit: the numbers are in \"ell\"");
+}
+
 TEST(DxfNest, IsInInchesForAMarkerInInches) {
   MarkerFile file = rich_marker();
   file.marker.unit = "in";
@@ -138,6 +278,16 @@ TEST(Hpgl, DrawsEveryOutlineInPositiveUnits) {
   EXPECT_NE(text.find("FRONT R1\x03"), std::string::npos);
   EXPECT_EQ(text.find("PU-"), std::string::npos);
   EXPECT_EQ(text.find("PD-"), std::string::npos);
+}
+
+// A reader takes the first label in a piece for its name.
+TEST(Hpgl, TheNameOfAPieceComesBeforeTheTextsDrawnOnIt) {
+  const auto back = read_file(written(rich_marker(), FileFormat::kHpgl));
+  ASSERT_TRUE(back) << back.error().message;
+  std::vector<std::string> ids;
+  for (const Piece& piece : back->marker.pieces) ids.push_back(piece.id);
+  std::sort(ids.begin(), ids.end());
+  EXPECT_EQ(ids, (std::vector<std::string>{"a S-A", "b", "c", "d"}));
 }
 
 TEST(Pdf, OnePageAtFullSizeHasAUserUnitWhenItIsLong) {

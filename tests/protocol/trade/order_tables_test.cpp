@@ -100,5 +100,29 @@ TEST(OrderTables, SizesInColumnsStayThere) {
   }
 }
 
+TEST(OrderTables, NoteWhatIsOrderedTwiceAndColumnsThatMayBeNoSizes) {
+  const auto same = read_order("colour,S,S,M\nred,1,2,0\nblue,3,0,1\n");
+  ASSERT_TRUE(same);
+  EXPECT_TRUE(notes(*same, "/line/2: garments of colour \"red\" and size \"S\" are ordered again"));
+  EXPECT_FALSE(notes(*same, "\"blue\""));
+  const auto list = read_order("colour;size;quantity\nred;S;1\nred;S;2\n");
+  ASSERT_TRUE(list);
+  EXPECT_TRUE(notes(*list, "/line/3: garments of colour \"red\" and size \"S\" are ordered again"));
+  const auto remark = read_order("colour,S,XL,remark\nred,1,,\n");
+  ASSERT_TRUE(remark);
+  EXPECT_TRUE(notes(*remark, "/line/1: no garments are ordered in the column \"remark\""));
+  EXPECT_FALSE(notes(*remark, "\"XL\""));
+}
+
+TEST(OrderTables, NotesThatDoNotConcernTheRatioStayInPlans) {
+  const auto order = read_order("colour;size;quantity;price\nred;S;1;9\nred;M;2;9\n");
+  ASSERT_TRUE(order);
+  EXPECT_TRUE(notes(*order, "the order gives no ratio"));
+  const auto planned = one_of_each_size(*order);
+  ASSERT_TRUE(planned);
+  EXPECT_FALSE(notes(*planned, "the order gives no ratio"));
+  EXPECT_TRUE(notes(*planned, "/line/1: the column \"price\" is left out"));
+}
+
 }  // namespace
 }  // namespace selvage

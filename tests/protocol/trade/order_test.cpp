@@ -44,6 +44,17 @@ TEST(Order, ShrinkageEnlargesPiecesOfItsMaterial) {
   EXPECT_NEAR(test::extent_of(file, "BACK/M").y, 360 / 0.985, 1e-5);
 }
 
+TEST(Order, WhatDoesNotConcernTheStyleOrIsNotCutIsNoted) {
+  const MarkerFile file = ordered(
+      R"({"style": "OTHER", "quantities": {"red": {"S": 1, "L": 5}}, "ratio": {"S": 1}, "shrinkage": {"XXX": {"length": 3}}})");
+  EXPECT_TRUE(test::has_note(file, "the order is for style \"OTHER\"; the file says \"BLOUSE\""));
+  EXPECT_TRUE(test::has_note(file, "no piece of the style is of material \"XXX\", which shrinks"));
+  EXPECT_TRUE(test::has_note(file, "the ratio has no bundle of size \"L\", of which 5 garments are ordered"));
+  const MarkerFile matching = ordered(R"({"style": "blouse", "ratio": {"S": 1}, "shrinkage": {"SHL": {"length": 3}}})");
+  for (const char* text : {"the order is for style", "which shrinks", "the ratio has no"})
+    EXPECT_FALSE(test::has_note(matching, text)) << text;
+}
+
 TEST(Order, TableGivesTheRatioByItsGreatestCommonDivisor) {
   const auto order = read_order(test::example("order.csv"));
   ASSERT_TRUE(order) << order.error().message;

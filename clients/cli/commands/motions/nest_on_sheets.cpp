@@ -71,6 +71,29 @@ std::string numbered(const std::string& path, std::size_t number) {
   return name.string();
 }
 
+// The number N for which numbered(base, N) is this file.
+std::optional<std::size_t> sheet_number(const std::string& path, const std::string& base) {
+  const std::string stem = std::filesystem::path{path}.stem().string();
+  const std::string digits = stem.substr(std::min(stem.rfind('-') + 1, stem.size()));
+  constexpr std::size_t kMostDigits = 9;
+  if (!has_only(digits, "0123456789") || digits.size() > kMostDigits) return std::nullopt;
+  const std::size_t number = std::stoul(digits);
+  if (base.empty() || !terminal::name_one_file(numbered(base, number), path)) return std::nullopt;
+  return number;
+}
+
+// A sheet with a part of the pieces must not replace the file with all of them.
+std::optional<terminal::Failure> check_sheet_names(const MarkerFiles& files) {
+  for (const auto& [option, base] :
+       {std::pair{"--out", files.out}, {"--svg", files.svg}, {"--outlines", files.outlines}}) {
+    const auto number = sheet_number(files.in.path, base);
+    if (!number) continue;
+    return terminal::bad_usage("sheet " + std::to_string(*number) + " of " + option + " would overwrite " +
+                               files.in.path + ", which " + files.in.option + " reads");
+  }
+  return std::nullopt;
+}
+
 std::optional<Error> save_sheet(const MarkerFile& sheet, std::size_t number, const MarkerFiles& files) {
   if (!files.out.empty()) {
     const auto of_sheet = protocol::files::file_format(sheet.format);
@@ -127,6 +150,7 @@ ExitCode nest_on_sheets(Json params, const MarkerFiles& files, const command_lin
   if (standard_outputs(files) > 0) {
     return report(terminal::bad_usage("with --sheets there may be several results, which cannot be standard output"));
   }
+  if (const auto failure = check_sheet_names(files)) return report(*failure);
   auto sheets = sheets_of(values.text("sheets"));
   if (const auto* failure = std::get_if<terminal::Failure>(&sheets)) return report(*failure);
   params["sheets"] = std::get<Json>(std::move(sheets));

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
-import pathlib
 import ssl
 from collections.abc import Mapping
 from types import TracebackType
@@ -17,8 +14,7 @@ from .library import AsyncLibrary
 from .marker import AsyncMarker
 from .messages.results import Info, Listed, Opened
 from .messages.conversion import named, read
-
-Document = Mapping[str, Any] | str | os.PathLike[str]
+from .messages.opening import Document, source_of
 
 
 class AsyncClient:
@@ -52,11 +48,20 @@ class AsyncClient:
         return read(Info, await self.call("engine.info"))
 
     async def open(
-        self, marker: Document, *, spacing: float | None = None, overlap: float | None = None, op_id: str | None = None
+        self,
+        marker: Document,
+        *,
+        spacing: float | None = None,
+        overlap: float | None = None,
+        op_id: str | None = None,
+        **options: Any,
     ) -> AsyncMarker:
-        """Opens a native or sparrow document, or the file at this path."""
-        document = marker if isinstance(marker, Mapping) else json.loads(pathlib.Path(marker).read_text("utf-8"))
-        params = named(marker=document, spacing=spacing, overlap=overlap, op_id=op_id)
+        """Opens a document, the text of a file in any format that can be read, or the file at this path.
+
+        `options` are the other parameters of marker.open in snake_case: how to read the file (unit, width, sizes, fold, nap,
+        tolerance, rules, order, plain) and the rules of the cloth (margin_below, repeat_along, shade, open_holes, ...).
+        """
+        params = named(marker=source_of(marker), spacing=spacing, overlap=overlap, op_id=op_id, **options)
         opened = read(Opened, await self.call("marker.open", params))
         return AsyncMarker(self._link, opened.marker_id, opened)
 

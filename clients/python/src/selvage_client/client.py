@@ -7,9 +7,10 @@ from __future__ import annotations
 
 import ssl
 from types import TracebackType
+from typing import Any
 
 from .wire.address import DEFAULT
-from .async_client import AsyncClient, Document
+from .async_client import AsyncClient
 from .motions.blocking import BlockingMotions
 from .drag import AsyncDrag
 from .library import Library
@@ -17,6 +18,7 @@ from .marker import AsyncMarker
 from .wire.portal import Blocking, Portal, blocking
 from .messages.choices import DragMode
 from .messages.errors import CallError, ConnectionLost
+from .messages.opening import Document
 from .messages.results import Changed, DragStarted, Edited, Missed, Opened
 from .watch import AsyncWatch
 
@@ -164,10 +166,17 @@ class Client(Blocking):
     list = blocking(AsyncClient.list)
 
     def open(
-        self, marker: Document, *, spacing: float | None = None, overlap: float | None = None, op_id: str | None = None
+        self,
+        marker: Document,
+        *,
+        spacing: float | None = None,
+        overlap: float | None = None,
+        op_id: str | None = None,
+        **options: Any,
     ) -> Marker:
-        """Opens a native or sparrow document, or the file at this path."""
-        return Marker(self._portal, self._portal.run(self._twin.open(marker, spacing=spacing, overlap=overlap, op_id=op_id)))
+        """Opens a document, the text of a file, or the file at this path.  See AsyncClient.open."""
+        opening = self._twin.open(marker, spacing=spacing, overlap=overlap, op_id=op_id, **options)
+        return Marker(self._portal, self._portal.run(opening))
 
     def marker(self, marker_id: str) -> Marker:
         """A marker that is open already.  This sends nothing; the first call on the marker fails if it is not open."""
