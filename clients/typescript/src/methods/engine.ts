@@ -61,6 +61,8 @@ export interface EngineMethods {
       markers: number;
       /** Whether markers survive the end of the daemon. */
       durable: boolean;
+      /** As long as this is the same, an id names the same marker. It is kept in the store; without a store it is another one after each start. */
+      instance: string;
       /** The limits of this server. */
       limits: Limits;
       /** The cache of Minkowski sums. */
