@@ -67,8 +67,8 @@ void bring_up_to_date(Database& database, const std::string& path, StoreFile::Mi
   transaction.keep();
 }
 
-// The store's number.  A store of an earlier version gets one now; if that cannot be written, this process makes do with
-// the number itself.
+// The store's number.  A store of an earlier version gets one now; if that cannot be written, this process makes do
+// with the number itself.
 std::uint32_t numbered(Database& database) {
   if (const std::uint32_t number = number_of(database); number != 0) return number;
   const std::uint32_t fresh = std::max<std::uint32_t>(std::random_device{}(), 1);
