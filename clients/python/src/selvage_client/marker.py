@@ -26,8 +26,8 @@ class AsyncMarker(AsyncMotions):
     marker has the same id.
     """
 
-    def __init__(self, link: Link, marker_id: str, opened: Opened | None, home: Home) -> None:
-        self._link, self._home = link, home
+    def __init__(self, link: Link, marker_id: str, opened: Opened | None = None, home: Home | None = None) -> None:
+        self._link, self._home = link, home or Home()
         self.id = marker_id
         self.opened = opened  # the result of opening the marker; None when it was open already
         self.revision = opened.revision if opened else None  # the latest that a call through this handle returned

@@ -99,7 +99,7 @@ export interface EngineMethods {
   /** Copies the store while changes go on. */
   "admin.backup": {
     params: {
-      /** The copy is written next to the store: STORE.backup-NAME.  1 to 64 letters, digits, '.', '_' or '-'. */
+      /** The copy is written next to the store: STORE.backup-NAME.  1 to 64 letters, digits, '.', '_' or '-'. Its length is counted in bytes of UTF-8. */
       name: string;
     };
     result: {
