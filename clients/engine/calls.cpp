@@ -124,6 +124,7 @@ Outcome info(ParsedCall&, const Context& context) {
   }
   info.workers = context.threads;
   info.markers = context.markers.all().size();
+  info.instance = context.markers.identity();
   info.cache = protocol::calls::cache_counts_of(context.sums.counts());
   return encode(info);
 }

@@ -4,6 +4,7 @@
 // thread that computes a change holds the marker's `turn` from reading the current state to committing the next one.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -64,8 +65,12 @@ class OpenMarkers {
   [[nodiscard]] bool close(const std::string& id);
   // Returns all open markers in the order in which they were opened.
   [[nodiscard]] std::vector<Opened> all() const;
+  // Another one for each object: the time at which it was made.
+  [[nodiscard]] const std::string& identity() const { return identity_; }
 
  private:
+  const std::string identity_ = "engine-" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count());
+
   mutable std::mutex mutex_;
   std::size_t opened_{};
   std::map<std::size_t, Opened> markers_;  // keyed by the number in the id

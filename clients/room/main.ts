@@ -23,6 +23,7 @@ import { announceFigures, buildStatus, messageDisplay } from "./panels/status";
 import { buildTabs } from "./panels/tabs";
 import { buildLegend, buildToolbar } from "./panels/toolbar";
 import { buildTray } from "./panels/tray";
+import { markerInAddress, putInAddress } from "./session/address";
 import { Desk } from "./session/desk";
 import { Library } from "./session/library";
 import { Link } from "./session/link";
@@ -90,7 +91,7 @@ function connectScene(): void {
     // A long marker gets an overview, which shows all of it.
     document.querySelector<HTMLElement>("main")!.dataset["strip"] = stage.isLong ? "yes" : "";
     if (isNew || !scene.camera.value) stage.fit(!stage.isLong);
-    history.replaceState(null, "", `#${desk.markerId}`);
+    putInAddress(desk.markerId);
     overview.renew();
   });
   desk.figures.follow(({ length, valid, revision }) => {
@@ -130,7 +131,8 @@ async function showFaults(revision: number): Promise<void> {
 async function start(): Promise<void> {
   buildPage();
   connectScene();
-  await files.openFirst(decodeURIComponent(location.hash.slice(1)));
+  await files.openFirst(markerInAddress());
+  addEventListener("hashchange", () => void files.openNamed(markerInAddress()));
   const { durable } = await (await link.ready()).call("engine.info", {});
   keepsNothing.value = !durable;
 }

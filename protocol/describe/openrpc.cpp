@@ -73,12 +73,17 @@ Json field_schema(const FieldDescription& field) {
   return schema;
 }
 
+// The meaning of a field.  JSON Schema counts characters, so its maxLength alone promises more than is allowed.
+std::string description_of(const FieldDescription& field) {
+  return std::string{field.meaning} + (field.limits.bytes ? " Its length is counted in bytes of UTF-8." : "");
+}
+
 Json object_schema(const std::vector<FieldDescription>& fields) {
   Json properties = Json::object();
   Json required = Json::array();
   for (const FieldDescription& field : fields) {
     Json schema = field_schema(field);
-    schema["description"] = field.meaning;
+    schema["description"] = description_of(field);
     properties[std::string{field.name}] = std::move(schema);
     if (field.required) required.push_back(field.name);
   }
@@ -106,7 +111,7 @@ Json params_json(const std::vector<FieldDescription>& params) {
     for (const FieldDescription& param : params) {
       if (param.required != required) continue;
       list.push_back({{"name", param.name},
-                      {"description", param.meaning},
+                      {"description", description_of(param)},
                       {"required", param.required},
                       {"schema", field_schema(param)}});
     }
@@ -124,7 +129,8 @@ Json errors_json(const calls::Method& method, const std::vector<FieldDescription
     const bool possible = error.when == CallError::When::kAny ||
                           (error.when == CallError::When::kWithMarker && has("markerId")) ||
                           (error.when == CallError::When::kWithBaseRevision && has("baseRev")) ||
-                          (error.when == CallError::When::kMotion && method.motion);
+                          (error.when == CallError::When::kMotion && (method.motion || has("deadlineMs"))) ||
+                          std::find(error.also.begin(), error.also.end(), method.name) != error.also.end();
     if (possible) list.push_back({{"$ref", "#/components/errors/" + std::string{error.name}}});
   }
   return list;

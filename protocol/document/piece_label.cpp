@@ -1,6 +1,9 @@
 #include "protocol/document/piece_label.h"
 
+#include <string>
 #include <vector>
+
+#include "protocol/json/fields.h"
 
 namespace selvage::protocol::document {
 namespace {
@@ -10,7 +13,8 @@ std::string text_in(const std::vector<Json>& attributes, std::size_t at, const c
   const auto found = attributes[at].find(key);
   if (found == attributes[at].end()) return {};
   if (found->is_string()) return found->get<std::string>();
-  return found->is_number_integer() ? json::to_text(*found) : std::string{};
+  const auto number = json::whole_number(*found);
+  return number ? std::to_string(*number) : std::string{};
 }
 
 std::string text_of_piece(const MarkerFile& file, std::size_t position, const char* key) {

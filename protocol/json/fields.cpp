@@ -97,17 +97,26 @@ std::optional<double> Fields::maybe_number(std::string_view key, Range allowed) 
   return checked_number(*value, allowed, mistake_, pointer(key));
 }
 
+std::optional<std::int64_t> whole_number(const Json& value) {
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX) return std::nullopt;
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (!value.is_number()) return std::nullopt;
+  constexpr double kEnd = 0x1p63;
+  const double number = value.get<double>();
+  if (!(number >= -kEnd && number < kEnd) || std::trunc(number) != number) return std::nullopt;
+  return static_cast<std::int64_t>(number);
+}
+
 std::optional<std::int64_t> Fields::maybe_integer(std::string_view key, std::int64_t least, std::int64_t most) {
   const Json* value = find(key);
   if (!value) return std::nullopt;
-  if (!value->is_number_integer()) {
+  const bool whole = value->is_number() && std::trunc(value->get<double>()) == value->get<double>();
+  if (!whole) {
     typed(value, false, key, "a whole number");
     return std::nullopt;
   }
-  // A value above the signed range wraps to a negative one when taken as signed, so it is refused before.
-  const bool too_large = value->is_number_unsigned() && value->get<std::uint64_t>() > INT64_MAX;
-  const auto number = too_large ? std::int64_t{0} : value->get<std::int64_t>();
-  if (too_large || number < least || number > most) {
+  const auto number = whole_number(*value);
+  if (!number || *number < least || *number > most) {
     mistake_.add(ErrorCode::kOutOfRange,
                  shortened(*value) + " is out of range; " + std::to_string(least) + " to " + std::to_string(most) +
                      " is allowed",
@@ -131,6 +140,7 @@ std::string Fields::text_or(std::string_view key, std::string fallback) {
 
 std::string checked_id(const Json& value, Mistake& mistake, const std::string& at) {
   if (value.is_number_integer()) return to_text(value);
+  if (const auto number = whole_number(value)) return std::to_string(*number);
   if (value.is_string()) return value.text();
   mistake.add(ErrorCode::kWrongType, shortened(value) + " where a string or a whole number is required", at);
   return {};

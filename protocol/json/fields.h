@@ -92,6 +92,8 @@ class Fields {
 // One number outside an object, such as an element of an array.  `at` is called only for a mistake.
 [[nodiscard]] double checked_number(const Json& value, Range allowed, Mistake& mistake, const std::string& at);
 
+// The value if it is a whole number of at most 64 bits, however it is written: 60, 60.0 and 6e1 are the same number.
+[[nodiscard]] std::optional<std::int64_t> whole_number(const Json& value);
 // An id that is an element of an array: a string, or an integer read as its digits.
 [[nodiscard]] std::string checked_id(const Json& value, Mistake& mistake, const std::string& at);
 

@@ -2,6 +2,10 @@
 
 namespace selvage::server::calls {
 
+protocol::rpc::RpcError cancelled() {
+  return {protocol::rpc::RpcCode::kCancelled, "the call was cancelled", {}};
+}
+
 OpenCall::OpenCall(std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<Outcome> reply,
                    std::int64_t params)
     : session_{std::move(session)}, params_{params}, reply_{std::move(reply)}, disconnected_{session_->gone, [this] {
@@ -42,7 +46,7 @@ void OpenCall::answer(Outcome outcome) {
 bool OpenCall::cancel() {
   if (!leave_open(State::kCancelled)) return false;
   stop_.request_stop();
-  std::move(reply_)(protocol::rpc::RpcError{protocol::rpc::RpcCode::kCancelled, "the call was cancelled", {}});
+  std::move(reply_)(cancelled());
   return true;
 }
 
@@ -65,45 +69,6 @@ void OpenCall::set_deadline(const std::shared_ptr<OpenCall>& call, jobs::Deadlin
     *open->ending_ = true;
     std::move(open->reply_)(refusal());
   });
-}
-
-// Removes the call from the list, unless a later call with the same id has replaced it there.
-struct OpenCalls::Listing {
-  std::shared_ptr<List> list;
-  Key key;
-  const OpenCall* address{};
-
-  Listing(std::shared_ptr<List> listed_in, Key listed_as, const OpenCall* call)
-      : list{std::move(listed_in)}, key{std::move(listed_as)}, address{call} {}
-  ~Listing() {
-    const std::lock_guard lock{list->mutex};
-    const auto found = list->calls.find(key);
-    if (found != list->calls.end() && found->second.address == address) list->calls.erase(found);
-  }
-  Listing(const Listing&) = delete;
-  Listing& operator=(const Listing&) = delete;
-};
-
-void OpenCalls::add(const Json& id, const std::shared_ptr<OpenCall>& call) {
-  const Key key{call->session()->id, protocol::json::to_text(id)};
-  call->listing_ = std::make_shared<const Listing>(list_, key, call.get());
-  const std::lock_guard lock{list_->mutex};
-  list_->calls.insert_or_assign(key, Entry{call.get(), call});
-}
-
-std::size_t OpenCalls::count() const {
-  const std::lock_guard lock{list_->mutex};
-  return list_->calls.size();
-}
-
-bool OpenCalls::cancel(const Json& id, std::uint64_t session) {
-  std::shared_ptr<OpenCall> call;
-  {
-    const std::lock_guard lock{list_->mutex};
-    const auto found = list_->calls.find(Key{session, protocol::json::to_text(id)});
-    if (found != list_->calls.end()) call = found->second.call.lock();
-  }
-  return call && call->cancel();
 }
 
 }  // namespace selvage::server::calls

@@ -8,11 +8,8 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <stop_token>
-#include <string>
 #include <utility>
 
 #include "server/calls/outcome.h"
@@ -22,6 +19,9 @@
 #include "server/transport/access/service.h"
 
 namespace selvage::server::calls {
+
+// The error that answers a cancelled call.
+[[nodiscard]] protocol::rpc::RpcError cancelled();
 
 class OpenCall {
  public:
@@ -68,33 +68,9 @@ class OpenCall {
   std::stop_source stop_;
   jobs::ReplyOnce<Outcome> reply_;
   jobs::DeadlineClock::Alarm deadline_;
-  friend class OpenCalls;
+  friend class ListedCall;
   std::shared_ptr<const void> listing_;  // removes the call from OpenCalls when it ends
   std::stop_callback<std::function<void()>> disconnected_;
-};
-
-// The calls in progress that can be cancelled, by session and by the call's id.  A call is listed as long as it exists.
-class OpenCalls {
- public:
-  // A later call replaces an earlier one with the same id.  REQUIRES: nobody else uses the call yet.
-  void add(const Json& id, const std::shared_ptr<OpenCall>& call);
-  // Returns false if there is no such call, or if it was too late.
-  bool cancel(const Json& id, std::uint64_t session);
-  [[nodiscard]] std::size_t count() const;
-
- private:
-  using Key = std::pair<std::uint64_t, std::string>;
-  struct Entry {
-    const OpenCall* address{};  // only compared
-    std::weak_ptr<OpenCall> call;
-  };
-  struct List {
-    std::mutex mutex;
-    std::map<Key, Entry> calls;
-  };
-  struct Listing;
-  const std::shared_ptr<List> list_ =
-      std::make_shared<List>();  // a call may outlive us, on the deadline clock's thread
 };
 
 }  // namespace selvage::server::calls

@@ -52,21 +52,29 @@ bool is_large(const store::MarkerStore& store, const std::string& marker_id) {
   return summary && summary->vertices > kManyVertices;
 }
 
+// The answer to a call that is refused with this error, unless it has been cancelled.
+protocol::rpc::RpcError refusal(calls::ListedCall* listed, protocol::rpc::RpcError error) {
+  return listed && !listed->settle() ? calls::cancelled() : std::move(error);
+}
+
 }  // namespace
 
 void Dispatcher::receive(std::string message, const std::shared_ptr<transport::access::Session>& session,
                          transport::access::Reply reply) {
   jobs::ReplyOnce<std::string> once{std::move(reply), text_if_lost()};
   const jobs::DeadlineClock::Time arrived = clock_.now();
-  if (message.size() <= kSmallMessage) return parse(std::move(message), arrived, session, std::move(once));
+  if (message.size() <= kSmallMessage) {
+    return parse(std::move(message), arrived, session, std::move(once), nullptr);
+  }
   // Shared, so that the reply is still available if the queue does not accept the job.
   const auto shared_reply = std::make_shared<jobs::ReplyOnce<std::string>>(std::move(once));
   jobs::Job job{.session = session->id,
                 .lane = {},
                 .quick = message.size() <= kLargeMessage,
                 .caller = session->gone,
-                .work = jobs::Work{[this, arrived, shared_reply, session, text = std::move(message)](auto&&) mutable {
-                  parse(std::move(text), arrived, session, std::move(*shared_reply));
+                .work = jobs::Work{[this, arrived, shared_reply, session, text = std::move(message),
+                                    unread = unread_.add(session->id)](auto&&) mutable {
+                  parse(std::move(text), arrived, session, std::move(*shared_reply), std::move(unread));
                 }}};
   const jobs::Admission admission = queues_.parsing.submit(job);
   if (admission == jobs::Admission::kAccepted) return;
@@ -79,12 +87,20 @@ std::string Dispatcher::too_long(std::size_t limit) {
 }
 
 void Dispatcher::parse(std::string message, jobs::DeadlineClock::Time arrived,
-                       std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<std::string> reply) {
+                       std::shared_ptr<transport::access::Session> session, jobs::ReplyOnce<std::string> reply,
+                       std::shared_ptr<const UnreadMessages::Ticket> unread) {
   const std::size_t bytes = message.size();
   protocol::rpc::Incoming incoming = protocol::rpc::parse_incoming(message, server_.limits.transport.body_bytes);
   std::vector<std::string> ids;
   if (has_inexact_ids(incoming)) ids = verbatim_ids(message, incoming);
   std::string{}.swap(message);  // frees it now, because it may be large
+  std::vector<std::shared_ptr<calls::ListedCall>> listed;
+  for (const protocol::rpc::Call& call : incoming.calls) {
+    const auto* const request = std::get_if<protocol::rpc::Request>(&call);
+    const bool has_id = request && request->id;
+    listed.push_back(has_id ? calls_.expect(*request->id, session->id) : nullptr);
+  }
+  unread.reset();
   execute_next(std::make_shared<Exchange>(Exchange{.freed = ops::FreedMemory{bytes},
                                                    .incoming = std::move(incoming),
                                                    .bytes = bytes,
@@ -92,7 +108,8 @@ void Dispatcher::parse(std::string message, jobs::DeadlineClock::Time arrived,
                                                    .reply = std::move(reply),
                                                    .on_answered = on_answered_,
                                                    .arrived = arrived,
-                                                   .ids = std::move(ids)}));
+                                                   .ids = std::move(ids),
+                                                   .listed = std::move(listed)}));
 }
 
 void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
@@ -106,7 +123,7 @@ void Dispatcher::execute_next(const std::shared_ptr<Exchange>& exchange) {
       exchange->only_read = false;
       const std::size_t most_bytes = server_.limits.transport.backlog_bytes;
       if (exchange->is_full(most_bytes)) {
-        exchange->add_answer(*request, no_room_for_answer(most_bytes));
+        exchange->add_answer(*request, refusal(exchange->take_listed().get(), no_room_for_answer(most_bytes)));
         continue;
       }
       const auto answered = [this, exchange, request](calls::Outcome outcome) {
@@ -136,16 +153,26 @@ bool Dispatcher::execute_next_on_worker(const std::shared_ptr<Exchange>& exchang
 
 void Dispatcher::start(const std::shared_ptr<Exchange>& exchange, const protocol::rpc::Request& request,
                        jobs::ReplyOnce<calls::Outcome> reply) {
-  if (request.method == kCancel) return std::move(reply)(cancel(request.params, exchange->session->id));
+  std::shared_ptr<calls::ListedCall> listed = exchange->take_listed();
+  const auto refuse = [&](protocol::rpc::RpcError error) { std::move(reply)(refusal(listed.get(), std::move(error))); };
+  // Before its parameters are decoded, which may take long.
+  if (listed && listed->cancelled()) return refuse(calls::cancelled());
+  if (request.method == kCancel) {
+    if (listed && !listed->settle()) return std::move(reply)(calls::cancelled());
+    return cancel(request.params, exchange->session->id, std::move(reply));
+  }
   const auto* row = server_.methods.find(request.method);
-  if (!row) return std::move(reply)(protocol::calls::unknown_method(request.method));
+  if (!row) return refuse(protocol::calls::unknown_method(request.method));
   auto parsed = row->method.read(request.params);
-  if (!parsed) return std::move(reply)(protocol::rpc::rpc_error(parsed.error()));
+  if (!parsed) return refuse(protocol::rpc::rpc_error(parsed.error()));
 
   exchange->marker_id = parsed->about.marker_id;
   const std::int64_t sum = parsed->about.op_id ? calls::params_checksum(request.params) : 0;
   const auto call = std::make_shared<calls::OpenCall>(exchange->session, std::move(reply), sum);
-  if (request.id) calls_.add(*request.id, call);
+  if (listed && !calls::ListedCall::begin(std::move(listed), call)) {
+    call->cancel();
+    return;
+  }
   schedule(*std::move(parsed), *row, exchange, call);
 }
 
@@ -200,12 +227,26 @@ void Dispatcher::schedule(ParsedCall parsed, const methods::HandlerTable::Row& r
   if (admission != jobs::Admission::kAccepted) call->answer(calls::not_admitted(admission, queue, kBusy));
 }
 
-calls::Outcome Dispatcher::cancel(const Json& params, std::uint64_t session) {
-  const auto cancel = protocol::schema::decode<protocol::methods::daemon::CancelParams>(params);
-  if (!cancel) return protocol::rpc::rpc_error(cancel.error());
-  const bool cancelled = calls_.cancel(cancel->id.value, session);
+void Dispatcher::cancel(const Json& params, std::uint64_t session, jobs::ReplyOnce<calls::Outcome> reply) {
+  const auto decoded = protocol::schema::decode<protocol::methods::daemon::CancelParams>(params);
+  if (!decoded) return std::move(reply)(protocol::rpc::rpc_error(decoded.error()));
+  // Shared, because a function that waits must be copyable, and because the reply is still needed if none waits.
+  const auto shared_reply = std::make_shared<jobs::ReplyOnce<calls::Outcome>>(std::move(reply));
+  const auto answer = [shared_reply](bool cancelled) {
+    std::move (*shared_reply)(protocol::schema::encode(protocol::methods::daemon::CancelResult{cancelled}));
+  };
+  const Json id = decoded->id.value;
+  if (cancel_now(id, session)) return answer(true);
+  // The call may be in a message that was received before this one and has not been read yet.
+  if (unread_.when_read(session, [this, id, session, answer] { answer(cancel_now(id, session)); })) return;
+  // It may have been read since.
+  answer(cancel_now(id, session));
+}
+
+bool Dispatcher::cancel_now(const Json& id, std::uint64_t session) {
+  const bool cancelled = calls_.cancel(id, session);
   if (cancelled) queues_.remove_answered();
-  return protocol::schema::encode(protocol::methods::daemon::CancelResult{cancelled});
+  return cancelled;
 }
 
 }  // namespace selvage::server::dispatch

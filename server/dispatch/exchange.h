@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "protocol/rpc/json_rpc.h"
+#include "server/calls/open_calls.h"
 #include "server/calls/outcome.h"
 #include "server/jobs/deadline_clock.h"
 #include "server/jobs/reply_once.h"
@@ -36,12 +37,15 @@ struct Exchange {
   bool only_read{};                // the current call changed nothing, so it can be sent again
   std::string marker_id{};         // the marker that the current call is about; empty: none or unknown
   std::vector<std::string> ids{};  // of the calls, where they are numbers that no double holds (verbatim_ids.h)
+  std::vector<std::shared_ptr<calls::ListedCall>> listed{};  // of each call, until its turn; null if it has no id
   std::vector<std::string> answers{};
   memory::HeldBytes held{session->account};  // of the answers
 
   // Adds the answer to the current call, unless that is a notification, and reports it.  A large answer for which there
   // is no room is replaced by an error if the call can be sent again.
   void add_answer(const protocol::rpc::Request& request, calls::Outcome outcome);
+  // Of the current call; null if it has no id.
+  [[nodiscard]] std::shared_ptr<calls::ListedCall> take_listed() { return std::move(listed[calls_done - 1]); }
   void add_refusal(const protocol::rpc::BadRequest& bad);
   // Whether the batch's answers have become so large that its remaining calls must be refused.
   [[nodiscard]] bool is_full(std::size_t most_bytes) const;

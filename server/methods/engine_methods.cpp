@@ -19,6 +19,7 @@ calls::Outcome info(const NoParams&, const ServerContext& server, const calls::O
   info.workers = server.workers;
   info.markers = server.store.count();
   info.durable = server.store.is_durable();
+  info.instance = server.store.identity();
   info.cache = protocol::calls::cache_counts_of(server.sums.counts());
   info.limits.markers_bytes = server.limits.markers_bytes;
   info.limits.marker_bytes = server.limits.marker_bytes;

@@ -235,6 +235,10 @@ std::uint64_t Journal::back_up(const std::string& name) {
   return disk::copy_store(implementation_->file.path(), copy, disk::Existing::kRefuse);
 }
 
+const std::string& Journal::identity() const {
+  return implementation_->file.identity();
+}
+
 const std::string& Journal::path() const {
   return implementation_->file.path();
 }

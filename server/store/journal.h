@@ -79,6 +79,8 @@ class Journal {
   [[nodiscard]] std::string failure() const;
   [[nodiscard]] WriteCounts writes() const;
   [[nodiscard]] const std::string& path() const;
+  // As disk::StoreFile::identity().
+  [[nodiscard]] const std::string& identity() const;
   // Writes a copy of everything acknowledged to "FILE.backup-NAME", while changes are written.  Returns its size in
   // bytes.  Throws std::runtime_error if the copy exists already or cannot be written.
   std::uint64_t back_up(const std::string& name);

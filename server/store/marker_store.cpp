@@ -3,6 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <random>
+#include <string>
 #include <utility>
 
 #include "server/memory/weights.h"
@@ -58,6 +61,13 @@ std::string id_of(std::uint64_t number) {
   return "m" + std::to_string(number);
 }
 
+// Of markers that end with the process.
+std::string chance_identity() {
+  std::random_device chance;
+  const auto high = std::uint64_t{chance()} << 32U;
+  return "process-" + std::to_string(high | chance());
+}
+
 // What the journal writes when this answer is added to those that are kept.
 std::optional<KeptChange> change_of(const KeptAnswers& answers, const std::optional<KeptAnswer>& answer) {
   if (!answer) return std::nullopt;
@@ -69,7 +79,7 @@ std::optional<KeptChange> change_of(const KeptAnswers& answers, const std::optio
 }  // namespace
 
 MarkerStore::MarkerStore(Room room, Journal* journal, std::stop_token stop)
-    : room_{std::move(room)}, journal_{journal} {
+    : room_{std::move(room)}, journal_{journal}, identity_{journal ? journal->identity() : chance_identity()} {
   if (journal_) restore(journal_->restore(std::move(stop)));
 }
 

@@ -138,6 +138,8 @@ class MarkerStore {
   [[nodiscard]] const Room& room() const { return room_; }
   // As Journal::back_up.  REQUIRES: is_durable().
   std::uint64_t back_up(const std::string& name) { return journal_->back_up(name); }
+  // As long as it is the same, an id names the same marker: that of the journal or, without one, made by this object.
+  [[nodiscard]] const std::string& identity() const { return identity_; }
   // Whether markers survive the end of the process.
   [[nodiscard]] bool is_durable() const { return journal_ != nullptr; }
 
@@ -173,6 +175,7 @@ class MarkerStore {
 
   const Room room_;
   Journal* const journal_;
+  const std::string identity_;
   mutable std::mutex mutex_;
   std::uint64_t opened_{};
   mutable std::map<std::string, std::shared_ptr<Entry>> markers_;

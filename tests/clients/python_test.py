@@ -27,6 +27,8 @@ def alike(expected, actual):
 
 
 class LiveTest(unittest.TestCase):
+    durable = True
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -37,8 +39,9 @@ class LiveTest(unittest.TestCase):
         self.addCleanup(lambda: self.stop())
 
     def start(self):
-        self.daemon = subprocess.Popen([SELVAGED, "--listen", "127.0.0.1:0", "--listen-unix", self.socket, "--store",
-                                        self.store, "--log-level", "off"])
+        store = ["--store", self.store] if self.durable else []
+        self.daemon = subprocess.Popen([SELVAGED, "--listen", "127.0.0.1:0", "--listen-unix", self.socket, *store,
+                                        "--log-level", "off"])
         end = time.monotonic() + 30
         while not self.socket.exists() and time.monotonic() < end:
             time.sleep(0.01)
@@ -165,6 +168,46 @@ class Async(LiveTest):
                     return await anext(changes)
         change = asyncio.run(play())
         self.assertEqual((change.by, change.revision, change.length), ("motion.compact", 2, 80))
+
+
+class WithoutStore(LiveTest):
+    durable = False
+
+    def restart(self):
+        self.stop()
+        self.socket.unlink(missing_ok=True)
+        self.start()
+
+    def test_another_marker_with_the_same_id_is_not_taken_for_the_lost_one(self):
+        client = self.client()
+        lost = client.open(SQUARES)
+        known = client.marker(lost.id)
+        instance = client.info().instance
+        self.restart()
+        other = self.client().open(SQUARES)
+        self.assertEqual(other.id, lost.id)
+        for call in (lost.compact, lost.check, known.check, lost.undo, lost.watch().__enter__, lost.drag("left").__enter__,
+                     lost.close):
+            with self.assertRaises(selvage_client.errors.UnknownMarker):
+                call()
+        self.assertEqual(other.check().revision, 1)
+        self.assertNotEqual(client.info().instance, instance)
+        self.assertEqual(client.marker(other.id).check().revision, 1)
+        self.assertEqual(client.open(SQUARES).compact().length_after, 80)
+
+    def test_a_watcher_learns_that_its_marker_was_lost(self):
+        async def play():
+            async with selvage_client.AsyncClient(self.address) as client:
+                marker = await client.open(SQUARES)
+                async with marker.watch() as changes:
+                    self.restart()
+                    async with selvage_client.AsyncClient(self.address) as other:
+                        await other.open(SQUARES)
+                        await (await other.open(SQUARES)).compact()
+                        await other.marker(marker.id).compact()
+                        with self.assertRaises(selvage_client.errors.UnknownMarker):
+                            await anext(changes)
+        asyncio.run(play())
 
 
 if __name__ == "__main__":

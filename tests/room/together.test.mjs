@@ -143,6 +143,30 @@ test("a daemon that is restarted without the marker gets it from the page", asyn
   await second.stop();
 });
 
+test("another marker that has the same id after a restart is not taken for the page's own", async () => {
+  const first = await startDaemon();
+  const page = await visit(here.browser, first.port);
+  const { markerId, marker } = await shown(page, first.port);
+  await first.stop("SIGKILL");
+  await page.until(`document.querySelector("#status").dataset.state === "lost"`);
+  // The page meets the daemon only once another marker is open there.
+  await page.ask(`{
+    const Socket = WebSocket;
+    globalThis.WebSocket = function (url) { return new Socket(globalThis.mayConnect ? url : url.replace(/:\\d+/, ":1")); };
+  }`);
+  const second = await startDaemon({ port: first.port });
+  const other = await call(second.port, "marker.open", { marker: squares(3) });
+  assert.equal(other.markerId, markerId);
+  await page.ask("void (globalThis.mayConnect = true)");
+  await page.until(`document.querySelector("#toast").textContent.includes("opened again")`);
+  const now = await shown(page, second.port);
+  assert.notEqual(now.markerId, markerId);
+  assert.equal(now.marker.pieces.length, marker.pieces.length);
+  const { markers } = await call(second.port, "marker.list");
+  assert.deepEqual(markers.map(({ pieces }) => pieces), [3, marker.pieces.length]);
+  await second.stop();
+});
+
 test("a piece that one user drags is marked at its position for all others until it is released", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);

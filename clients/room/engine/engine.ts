@@ -2,6 +2,7 @@ import { Code, type Answer, type Motion, type Params, type Placement } from "../
 import { Signal } from "../base/signal";
 import { editsTo } from "../marker/edits";
 import type { Pose } from "../marker/pose";
+import { Copies } from "../session/copies";
 import type { Desk } from "../session/desk";
 import { hasCode, errorText } from "../session/messages";
 import { say } from "../texts/texts";
@@ -43,12 +44,14 @@ export class Engine {
   readonly beside = new Signal<readonly Result[]>([]);
   readonly compared = new Signal<Result | "opening" | undefined>(undefined);
   private results = 0;
+  private readonly copies: Copies;
 
   constructor(
     private readonly desk: Desk,
     private readonly scene: Scene,
     private readonly showMessage: (text: string) => void,
   ) {
+    this.copies = new Copies(desk.link);
     this.preview.follow((result) => this.showPreview(result));
     this.compared.follow(() => this.showCompared());
     desk.marker.follow(() => this.putAside());
@@ -124,7 +127,7 @@ export class Engine {
       const { revision, length } = this.desk.figures.value;
       let found = false;
       const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all pieces has priority
-      await search(wanted, client, marker.toDocument(), best, signal, {
+      await search(wanted, client, this.copies, marker.toDocument(), best, signal, {
         goesOn: () => !run.stopping,
         round: (round, best) => this.round(run, round, best, since),
         better: (answer, placements) => {

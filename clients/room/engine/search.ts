@@ -1,5 +1,6 @@
 import type { Answer, Client } from "../../typescript/src/index";
 import type { MarkerDocument } from "../marker/document";
+import type { Copies } from "../session/copies";
 
 const FIRST = 1500; // time limit of the first call in milliseconds
 const PATIENCE = 45_000; // a search ends after this many milliseconds without an improvement
@@ -25,14 +26,14 @@ export interface SearchListener {
  * series of calls that have a time limit; after each call the copy is the best marker found. A call without an improvement is
  * followed by one of up to twice its time limit. `best` is the length that a result has to beat.
  */
-export async function search(wanted: Search, client: Client, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener, where: keyof typeof LONGEST): Promise<void> {
+export async function search(wanted: Search, client: Client, copies: Copies, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener, where: keyof typeof LONGEST): Promise<void> {
   const copy = { ...document, name: `${document.name ?? ""} (search)` } as unknown as Record<string, unknown>;
-  const { markerId } = await client.call("marker.open", { marker: copy });
+  const markerId = await copies.make(client, copy);
   try {
     let rounds = 0;
     let number = 0;
     let inVain = 0;
-    for (let turn = FIRST; inVain < PATIENCE && !signal.aborted && listener.goesOn(); ) {
+    for (let turn = FIRST; inVain < PATIENCE && !signal.aborted && copies.has(markerId, client) && listener.goesOn(); ) {
       const run = startTurn(wanted, client, markerId, Math.round(turn), ++number, signal);
       let last = 0;
       for await (const { round, length } of run.progress) listener.round(rounds + (last = round), length);
@@ -51,7 +52,7 @@ export async function search(wanted: Search, client: Client, document: MarkerDoc
   } catch (error) {
     if (!signal.aborted) throw error;
   } finally {
-    void client.call("marker.close", { markerId }).catch(() => {});
+    void copies.close(markerId);
   }
 }
 

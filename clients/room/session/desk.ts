@@ -34,6 +34,7 @@ export class Desk {
   markerId = "";
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
+  private instance: string | undefined; // of the daemon when the marker was shown: in another one the id is not this marker's
   private listening: Client | undefined;
   private documentOf = ""; // the marker whose document has been read
   private latestReported = 0; // the latest revision that an answer or a notification reported for this marker
@@ -47,7 +48,7 @@ export class Desk {
   constructor(readonly link: Link) {
     let first = true;
     link.joined.follow(() => {
-      if (!first && this.markerId) void this.resume();
+      if (!first && (this.markerId || this.marker.value)) void this.resume();
       first = false;
     });
   }
@@ -66,6 +67,7 @@ export class Desk {
     this.listen(client);
     if (this.markerId && this.markerId !== markerId) void client.call("marker.unwatch", { markerId: this.markerId }).catch(() => {});
     this.markerId = markerId;
+    this.instance = client.instance;
     this.documentOf = "";
     this.latestReported = 0;
     this.draggedByOthers.value = [];
@@ -109,17 +111,24 @@ export class Desk {
     const kept = this.marker.value;
     this.latestReported = 0; // after a restart, the daemon may have an older revision
     this.draggedByOthers.value = [];
+    if (client.instance !== this.instance) this.markerId = ""; // until it is open again, no call may name it
     try {
-      await client.call("marker.watch", { markerId: this.markerId });
-      await this.refresh(client);
+      if (this.markerId) {
+        await client.call("marker.watch", { markerId: this.markerId });
+        return await this.refresh(client);
+      }
     } catch (error) {
-      if (!hasCode(error, Code.UnknownMarker) || !kept) return;
-      const opened = await client.call("marker.open", { marker: kept.toDocument() as unknown as Record<string, unknown> });
-      const { opening } = this;
-      await this.show(opened.markerId);
-      this.opening = opening;
-      this.changed.value = { before: new Map(), by: "reopened", mine: true };
+      if (!hasCode(error, Code.UnknownMarker)) return;
     }
+    if (kept) await this.reopen(client, kept);
+  }
+
+  private async reopen(client: Client, kept: Marker): Promise<void> {
+    const opened = await client.call("marker.open", { marker: kept.toDocument() as unknown as Record<string, unknown> });
+    const { opening } = this;
+    await this.show(opened.markerId);
+    this.opening = opening;
+    this.changed.value = { before: new Map(), by: "reopened", mine: true };
   }
 
   private async refresh(client: Client, by = "refreshed", mine = true): Promise<void> {

@@ -1,4 +1,5 @@
 import type { MarkerDocument } from "../marker/document";
+import { decode } from "./encoding";
 
 /** A file to open: a marker document or the text of a trade file; for a pattern also its rule table and an order for it. */
 export interface Opened {
@@ -29,14 +30,8 @@ export async function readFiles(files: readonly File[]): Promise<Opened[]> {
   );
 }
 
-// Older programs of the trade write text in 8-bit encodings.
 async function textOf(file: File): Promise<string> {
-  const bytes = await file.arrayBuffer();
-  try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    return new TextDecoder("windows-1252").decode(bytes);
-  }
+  return decode(await file.arrayBuffer());
 }
 
 /** Lets the user choose files. */

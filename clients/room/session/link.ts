@@ -38,6 +38,15 @@ export class Link {
     this.answerToken(token);
   }
 
+  /** Sends calls while the page goes, when nobody waits for their answers any more. */
+  sendLast(calls: ReadonlyArray<{ method: string; params: object }>): void {
+    if (this.alone || calls.length === 0) return;
+    const token = sessionStorage.getItem(TOKEN);
+    const headers = { "Content-Type": "application/json", ...(token === null ? {} : { Authorization: `Bearer ${token}` }) };
+    const body = JSON.stringify(calls.map((call) => ({ jsonrpc: "2.0", ...call })));
+    void fetch("/rpc", { method: "POST", keepalive: true, headers, body }).catch(() => {});
+  }
+
   private async open(): Promise<Client> {
     for (let pause = 250; ; pause = Math.min(4000, pause * 1.6)) {
       try {

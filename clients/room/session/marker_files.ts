@@ -1,3 +1,4 @@
+import { putInAddress } from "./address";
 import type { Desk } from "./desk";
 import { example, examples, type Example } from "./examples";
 import { chooseFiles, fileName, markerText, readFiles, saveText } from "./files";
@@ -37,10 +38,22 @@ export class MarkerFiles {
   async openFirst(markerId: string): Promise<void> {
     const client = await this.desk.link.ready();
     const { markers } = await client.call("marker.list", {});
-    const named = markers.find((marker) => marker.markerId === markerId) ?? markers[0];
-    if (named) return this.trying(() => this.desk.show(named.markerId));
-    const [first] = await examples();
-    if (first) await this.trying(async () => void (await this.desk.open(await example(first.file))));
+    const named = markers.find((marker) => marker.markerId === markerId);
+    const shown = named ?? markers[0];
+    const [first] = shown ? [] : await examples();
+    if (shown) await this.trying(() => this.desk.show(shown.markerId));
+    else if (first) await this.trying(async () => void (await this.desk.open(await example(first.file))));
+    if (markerId && !named) this.showMessage(say("linkGone", { marker: markerId }));
+  }
+
+  /** Shows the marker that the user has put into the address; if it is not open, says so and keeps what is shown. */
+  async openNamed(markerId: string): Promise<void> {
+    putInAddress(this.desk.markerId); // until the marker is shown
+    if (!markerId || markerId === this.desk.markerId) return;
+    const client = await this.desk.link.ready();
+    const { markers } = await client.call("marker.list", {});
+    if (markers.some((marker) => marker.markerId === markerId)) await this.trying(() => this.desk.show(markerId));
+    else this.showMessage(say("linkGone", { marker: markerId }));
   }
 
   openFile = (): void => void chooseFiles().then((files) => this.openAll(files));

@@ -222,6 +222,7 @@ export const english = {
   byDrag: "piece moved",
   countedPieces: "{count} pieces",
   closedElsewhere: "This marker was closed elsewhere. What you see is kept here; save it, or open another.",
+  linkGone: "The marker {marker} of this address is not open in the daemon.",
   reopened: "The daemon had lost this marker; it was opened again by this page.",
   reconnected: "Connected again; nothing was lost.",
   separated: "Dropped and separated.",

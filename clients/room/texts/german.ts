@@ -216,6 +216,7 @@ export const german: Texts = {
   byDrag: "ein Teil gezogen",
   countedPieces: "{count} Teile",
   closedElsewhere: "Das Schnittbild wurde anderswo geschlossen. Was Sie sehen, bleibt hier: speichern Sie es, oder öffnen Sie ein anderes.",
+  linkGone: "Das Schnittbild {marker} dieser Adresse ist im Dienst nicht geöffnet.",
   reopened: "Der Dienst hatte dieses Schnittbild verloren; es wurde von dieser Seite neu geöffnet.",
   reconnected: "Wieder verbunden; nichts ging verloren.",
   separated: "Abgelegt und getrennt.",

@@ -1,6 +1,6 @@
-import type { Connect, Connection } from "./connection.js";
+import type { Connect, Connection, Listener } from "./connection.js";
 import { CallError, Code, ConnectionLost, type ErrorData } from "./errors.js";
-import { afterFirstAnswer } from "./first_answer.js";
+import { afterFirstAnswer, type Greeted } from "./first_answer.js";
 import { retriable, type Methods, type Notifications } from "./methods.js";
 import { Progress } from "./progress.js";
 
@@ -25,6 +25,7 @@ const INSIST = 10_000;
 interface Pending {
   method: string;
   text: string;
+  ofMarker: boolean; // it names an open marker or a drag session
   retriesLeft: number; // how often it may still be sent again on another connection
   resolve(result: unknown): void;
   reject(error: Error): void;
@@ -43,10 +44,13 @@ const wait = (milliseconds: number) => new Promise((resolve) => setTimeout(resol
 /**
  * Calls the methods of one daemon. When the connection is lost, the client reconnects and sends every unanswered call that takes
  * an `opId` again with the same `opId`, so that it is carried out once; other calls reject with ConnectionLost. Watches and drag
- * sessions end with their connection: watch again on "reconnected". If the daemon rejects the token, the client is closed and
+ * sessions end with their connection: watch again on "reconnected". If the daemon was started again without a store, its ids may
+ * name other markers: unanswered calls on markers then reject with UnknownMarker, and `instance` changes. If the daemon rejects the token, the client is closed and
  * every call rejects with the daemon's error.
  */
 export class Client {
+  /** The daemon's instance: as long as it is the same, an id names the same marker. */
+  instance: string | undefined;
   private connection: Connection | undefined;
   private closedBy: Error | undefined; // why the client is closed; every call rejects with it
   private insistUntil = 0; // in milliseconds since 1970
@@ -57,7 +61,7 @@ export class Client {
   private readonly listeners = new Map<string, Set<(params: never) => void>>();
 
   private constructor(
-    private readonly connect: Connect,
+    private readonly connect: (listener: Listener) => Promise<Greeted>,
     private readonly options: Required<ClientOptions>,
   ) {}
 
@@ -82,6 +86,7 @@ export class Client {
       this.pending.set(id, {
         method,
         text,
+        ofMarker: ["markerId", "dragId"].some((name) => name in (params ?? {})),
         retriesLeft: canRetry ? this.options.attempts : 0,
         resolve: (result) => (done(), resolve(result as Answer<M>)),
         reject: (error) => (done(), reject(error)),
@@ -118,7 +123,7 @@ export class Client {
 
   private async openConnection(): Promise<void> {
     let ended = false; // the connection may end before `connect` resolves
-    let connection: Connection | undefined;
+    let connection: Greeted | undefined;
     connection = await this.connect({
       message: (text) => this.receive(JSON.parse(text) as Message),
       closed: (reason) => {
@@ -132,6 +137,12 @@ export class Client {
       throw this.closedBy;
     }
     this.connection = connection;
+    const { instance } = connection;
+    if (this.instance !== undefined && instance !== undefined && instance !== this.instance) {
+      const lost = () => new CallError(Code.UnknownMarker, "the daemon was started again and no longer has this marker", { field: "/markerId" });
+      this.giveUp((call) => call.ofMarker, lost);
+    }
+    this.instance = instance ?? this.instance;
   }
 
   private async lost(reason: string): Promise<void> {

@@ -1,17 +1,23 @@
-import type { Connect, Connection } from "./connection.js";
+import type { Connect, Connection, Listener } from "./connection.js";
 import { CallError, ConnectionLost, type ErrorData } from "./errors.js";
 
 const firstCall = JSON.stringify({ jsonrpc: "2.0", id: "first", method: "engine.info", params: {} });
 
-// Throws the error of the answer, if it has one.
-function check(text: string): void {
-  let answer: { error?: { code: number; message: string; data?: ErrorData } };
+/** A connection to a daemon, which tells as long as `instance` is the same that its ids name the same markers. */
+export interface Greeted extends Connection {
+  instance: string | undefined;
+}
+
+// The daemon's instance. Throws the error of the answer, if it has one.
+function read(text: string): string | undefined {
+  let answer: { result?: { instance?: string }; error?: { code: number; message: string; data?: ErrorData } };
   try {
     answer = JSON.parse(text);
   } catch {
     throw new ConnectionLost("the server at this address is not a Selvage daemon");
   }
   if (answer.error) throw new CallError(answer.error.code, answer.error.message, answer.error.data);
+  return answer.result?.instance;
 }
 
 /**
@@ -20,16 +26,16 @@ function check(text: string): void {
  * rejects with that CallError; if the connection ends without an answer, with ConnectionLost.
  */
 export const afterFirstAnswer =
-  (connect: Connect): Connect =>
+  (connect: Connect): ((listener: Listener) => Promise<Greeted>) =>
   (listener) =>
     new Promise((resolve, reject) => {
       let state: "waiting" | "open" | "refused" = "waiting";
       let connection: Connection;
       const receiveFirst = (text: string) => {
         try {
-          check(text);
+          const instance = read(text);
           state = "open";
-          resolve(connection);
+          resolve({ send: (message) => connection.send(message), close: () => connection.close(), instance });
         } catch (error) {
           state = "refused";
           reject(error);

@@ -121,6 +121,24 @@ test("a call is sent again to a restarted daemon", async () => {
   rmSync(folder, { recursive: true });
 });
 
+test("a call on a marker is not sent to a daemon that was started again without a store", async () => {
+  const first = await startDaemon();
+  const client = await Client.open(overLines({ host: "127.0.0.1", port: first.port }), { attempts: 12, patience: 50 });
+  const { instance } = client;
+  const { markerId } = await client.call("marker.open", { marker: squares(2) });
+  await first.stop("SIGKILL");
+  const compacted = client.call("motion.compact", { markerId });
+  const opened = client.call("marker.open", { marker: squares(3) });
+  const refused = assert.rejects(compacted, { name: "CallError", code: Code.UnknownMarker });
+  const second = await startDaemon({ port: first.port });
+  await refused;
+  assert.equal((await opened).markerId, markerId);
+  assert.notEqual(client.instance, instance);
+  assert.equal((await client.call("marker.list", {})).markers[0].revision, 1);
+  client.close();
+  await second.stop();
+});
+
 test("when no daemon can be reached again, every call rejects", async () => {
   const daemon = await startDaemon();
   const client = await Client.open(overLines({ host: "127.0.0.1", port: daemon.port }), { attempts: 1 });

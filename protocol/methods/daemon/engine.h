@@ -56,6 +56,7 @@ struct EngineInfo {
   std::vector<motion::compaction::Accuracy> accuracies;
   std::size_t workers{}, markers{};
   bool durable{};
+  std::string instance;
   Limits limits;
   calls::CacheCounts cache;
 
@@ -70,6 +71,10 @@ struct EngineInfo {
     v.required("workers", self.workers, "Threads for motions.");
     v.required("markers", self.markers, "Number of open markers.");
     v.required("durable", self.durable, "Whether markers survive the end of the daemon.");
+    v.required(
+        "instance", self.instance,
+        "As long as this is the same, an id names the same marker. It is kept in the store; without a store it is "
+        "another one after each start.");
     v.required("limits", self.limits, "The limits of this server.");
     v.required("cache", self.cache, "The cache of Minkowski sums.");
   }

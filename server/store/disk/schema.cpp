@@ -1,6 +1,8 @@
 #include "server/store/disk/schema.h"
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace selvage::server::store::disk {
@@ -105,6 +107,14 @@ void upgrade(Database& database) {
     }
   }
   stamp(database);
+}
+
+std::uint32_t number_of(Database& database) {
+  return static_cast<std::uint32_t>(database.number("PRAGMA application_id"));
+}
+
+void set_number(Database& database, std::uint32_t number) {
+  database.run("PRAGMA application_id = " + std::to_string(static_cast<std::int32_t>(number)));
 }
 
 void check_structure(Database& database) {

@@ -7,9 +7,11 @@
 // step of the history without a format consists of moves; otherwise it is a document.  Answers of marker 0 are those to
 // calls that opened and closed markers.  The library of stored markers (server/store/library) has a row in `library`
 // for each, with its entry, and its native document in `library_document`; numbers are never used again.  There is no
-// index, because SQLite's quick check does not compare an index with its table.
+// index, because SQLite's quick check does not compare an index with its table.  The file's application id is a random
+// number, by which clients notice that they are talking to another store, where the ids are those of other markers.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -32,6 +34,10 @@ void create_tables(Database& database);
 [[nodiscard]] int schema_of(Database& database);
 // Brings a store of an earlier schema up to date.  REQUIRES: schema_of() is 1, 2 or 3, and a transaction.
 void upgrade(Database& database);
+// The number by which the store is told from others; 0 if it has none yet.
+[[nodiscard]] std::uint32_t number_of(Database& database);
+// Gives the store its number.  REQUIRES: a transaction.
+void set_number(Database& database, std::uint32_t number);
 // Throws std::runtime_error if the file is damaged: its pages, or the definitions of its tables.
 void check_structure(Database& database);
 

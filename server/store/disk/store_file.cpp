@@ -6,10 +6,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <filesystem>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -64,6 +67,21 @@ void bring_up_to_date(Database& database, const std::string& path, StoreFile::Mi
   transaction.keep();
 }
 
+// The store's number.  A store of an earlier version gets one now; if that cannot be written, this process makes do
+// with the number itself.
+std::uint32_t numbered(Database& database) {
+  if (const std::uint32_t number = number_of(database); number != 0) return number;
+  const std::uint32_t fresh = std::max<std::uint32_t>(std::random_device{}(), 1);
+  try {
+    Transaction transaction{database};
+    set_number(database, fresh);
+    transaction.keep();
+  } catch (const std::exception& error) {
+    spdlog::warn("the store: its number could not be written: {}", error.what());
+  }
+  return fresh;
+}
+
 }  // namespace
 
 std::optional<FileIdentity> identity_of(const std::string& path) {
@@ -93,6 +111,7 @@ StoreFile::StoreFile(const std::string& path, Durability durability, Missing mis
   database_.run(durability == Durability::kFull ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL");
   bring_up_to_date(database_, path_, missing);
   check_structure(database_);
+  if (missing == Missing::kCreate) identity_ = "store-" + std::to_string(numbered(database_));
   Transaction{database_}.keep();  // SQLite creates its log with the first transaction
   file_ = identity_of(path_);
   log_ = identity_of(path_ + "-wal");

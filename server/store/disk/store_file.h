@@ -51,6 +51,8 @@ class StoreFile {
 
   [[nodiscard]] Database& database() { return database_; }
   [[nodiscard]] const std::string& path() const { return path_; }
+  // A text that no other store has, and which the store keeps as long as it exists.  REQUIRES: opened with kCreate.
+  [[nodiscard]] const std::string& identity() const { return identity_; }
   // Throws std::runtime_error if the file or its log has been deleted or replaced, so that changes would be lost.
   void require_in_place() const;
 
@@ -59,6 +61,7 @@ class StoreFile {
   FileLock lock_;
   Database database_;
   std::optional<FileIdentity> file_, log_;
+  std::string identity_;
 };
 
 }  // namespace selvage::server::store::disk

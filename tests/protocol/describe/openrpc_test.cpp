@@ -215,6 +215,22 @@ TEST(OpenRpc, GivesLimitsDefaultsAndErrors) {
   EXPECT_TRUE(answers(nest, "RevisionMismatch"));
   EXPECT_FALSE(answers(named(document["methods"], "engine.info"), "UnknownMarker"));
   EXPECT_EQ(document["components"]["errors"]["Busy"]["code"], -32010);
+  for (const char* name : {"marker.undo", "marker.redo", "marker.check", "marker.hold", "marker.regions", "library.add",
+                           "marker.nestSheets", "plan.cut"}) {
+    EXPECT_TRUE(answers(named(document["methods"], name), "MotionRefused")) << name;
+  }
+  EXPECT_FALSE(answers(named(document["methods"], "marker.apply"), "MotionRefused"));
+  EXPECT_TRUE(answers(named(document["methods"], "drag.move"), "Superseded"));
+  EXPECT_FALSE(answers(named(document["methods"], "drag.end"), "Superseded"));
+  EXPECT_EQ(document["components"]["errors"]["Superseded"]["code"], -32802);
+  EXPECT_TRUE(answers(named(document["methods"], "marker.list"), "Cancelled"));  // as part of a batch
+}
+
+TEST(OpenRpc, SaysThatLengthsAreCountedInBytes) {
+  const Json document = openrpc_document("1.2.3");
+  const Json& op_id = named(named(document["methods"], "marker.undo")["params"], "opId");
+  EXPECT_EQ(op_id["schema"]["maxLength"], 128);
+  EXPECT_NE(op_id["description"].text().find("bytes of UTF-8"), std::string::npos);
 }
 
 TEST(OpenRpc, TypesBecomeSchemas) {

@@ -65,13 +65,29 @@ TEST(Fields, ErrorsNameTheFieldTheValueAndTheAllowedValues) {
                          (void)f.number("width", {0, 10});
                        }),
             "input.out_of_range /here/width: -5 is out of range; 0 to 10 is allowed");
+  EXPECT_EQ(mistake_of(R"({"rounds": 1e30})", [](Fields& f) { (void)f.maybe_integer("rounds", 0, 9); }),
+            "input.out_of_range /here/rounds: 1e+30 is out of range; 0 to 9 is allowed");
   EXPECT_EQ(mistake_of(R"({"rounds": 2.5})", [](Fields& f) { (void)f.maybe_integer("rounds", 0, 9); }),
             "input.wrong_type /here/rounds: 2.5 where a whole number is required");
   EXPECT_EQ(mistake_of("5", [](Fields&) {}), "input.wrong_type /here: 5 where an object is required");
 }
 
+TEST(Fields, ReadsWholeNumbersHoweverTheyAreWritten) {
+  const Json value = json(R"({"a": 60.0, "b": 6e1, "c": -60.0, "d": -0.0, "id": 12.0, "long": 1e15})");
+  Mistake mistake;
+  Fields fields{value, "", mistake};
+  EXPECT_EQ(fields.maybe_integer("a", 0, 100), 60);
+  EXPECT_EQ(fields.maybe_integer("b", 0, 100), 60);
+  EXPECT_EQ(fields.maybe_integer("c", -100, 100), -60);
+  EXPECT_EQ(fields.maybe_integer("d", 0, 100), 0);
+  EXPECT_EQ(fields.id("id"), "12");
+  EXPECT_EQ(fields.id("long"), "1000000000000000");
+  fields.finish();
+  EXPECT_FALSE(mistake) << describe(mistake.error());
+}
+
 TEST(Fields, RefusesIntegersThatWouldWrap) {
-  for (const char* number : {"4294967297", "18446744073709551615", "-9223372036854775808"}) {
+  for (const char* number : {"4294967297", "18446744073709551615", "-9223372036854775808", "1e19", "-1e19"}) {
     EXPECT_NE(mistake_of(std::string{R"({"n": )"} + number + "}",
                          [](Fields& f) { EXPECT_EQ(f.maybe_integer("n", 0, 100), std::nullopt); }),
               "")

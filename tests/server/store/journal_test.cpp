@@ -225,6 +225,24 @@ TEST_F(JournalTest, StoresOfEarlierSchemasAreUpgradedAndCopiedBefore) {
   }
 }
 
+TEST_F(JournalTest, AStoreIsRecognisedAfterARestart) {
+  const auto instance = [](server::store::Journal* journal) {
+    LocalServer local{0, pushing_methods(), {}, journal};
+    return local.result("engine.info", "{}")["instance"].get<std::string>();
+  };
+  const auto of_store = [&](const std::string& file) {
+    server::store::Journal journal{file, server::store::Durability::kFull};
+    return instance(&journal);
+  };
+  const std::string first = of_store(path());
+  EXPECT_EQ(of_store(path()), first);
+  EXPECT_NE(of_store(path() + ".other"), first);
+  server::store::disk::Database{path()}.run("PRAGMA application_id = 0");  // as in stores of earlier versions
+  const std::string numbered = of_store(path());
+  EXPECT_EQ(of_store(path()), numbered);
+  EXPECT_NE(instance(nullptr), instance(nullptr));
+}
+
 TEST_F(JournalTest, AStoreOfALaterVersionIsRefused) {
   { const server::store::Journal journal{path(), server::store::Durability::kFull}; }
   server::store::disk::Database{path()}.run("PRAGMA user_version = 5");

@@ -8,6 +8,7 @@ from types import TracebackType
 from typing import Any
 
 from .wire.address import DEFAULT
+from .wire.home import Home
 from .wire.link import Link
 from .wire.progress import ProgressOption, progress_callback
 from .library import AsyncLibrary
@@ -62,12 +63,13 @@ class AsyncClient:
         tolerance, rules, order, plain) and the rules of the cloth (margin_below, repeat_along, shade, open_holes, ...).
         """
         params = named(marker=source_of(marker), spacing=spacing, overlap=overlap, op_id=op_id, **options)
-        opened = read(Opened, await self.call("marker.open", params))
-        return AsyncMarker(self._link, opened.marker_id, opened)
+        home = Home()
+        opened = read(Opened, await self._link.call("marker.open", params, None, home))
+        return AsyncMarker(self._link, opened.marker_id, opened, home)
 
     def marker(self, marker_id: str) -> AsyncMarker:
         """A marker that is open already.  This sends nothing; the first call on the marker fails if it is not open."""
-        return AsyncMarker(self._link, marker_id)
+        return AsyncMarker(self._link, marker_id, None, self._link.home())
 
     async def list(self) -> tuple[Listed, ...]:
         """Lists the open markers."""

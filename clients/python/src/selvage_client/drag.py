@@ -6,6 +6,7 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
+from .wire.home import Home
 from .wire.link import AnyConnection, Link
 from .messages.choices import DragMode
 from .messages.results import Dragged, DragStarted, Edited, Point
@@ -24,13 +25,14 @@ class AsyncDrag:
         self,
         link: Link,
         marker_id: str,
+        home: Home,
         piece: str,
         mode: DragMode | None,
         base_rev: int | None,
         edited: Callable[[Edited], None],
     ) -> None:
         """`edited` is called with the result of ending the session."""
-        self._link, self._marker_id, self._edited = link, marker_id, edited
+        self._link, self._marker_id, self._home, self._edited = link, marker_id, home, edited
         self._begin = named(marker_id=marker_id, piece=piece, mode=mode, base_rev=base_rev)
         self._connection: AnyConnection | None = None
         self.started: DragStarted | None = None
@@ -38,6 +40,7 @@ class AsyncDrag:
 
     async def begin(self) -> DragStarted:
         self._connection = await self._link.connection()
+        self._home.check(self._connection)
         self.started = read(DragStarted, await self._link.once(self._connection, "drag.begin", self._begin))
         return self.started
 

@@ -9,6 +9,7 @@ from typing import Any
 from .drag import AsyncDrag
 from .messages.choices import DragMode, Format
 from .messages.errors import UnknownMarker
+from .wire.home import Home
 from .wire.link import Link
 from .motions import AsyncMotions
 from .messages.ops import Op
@@ -19,10 +20,14 @@ from .messages.conversion import named, read
 
 
 class AsyncMarker(AsyncMotions):
-    """A handle of a marker in the daemon.  As an asynchronous context manager it closes the marker at the end."""
+    """A handle of a marker in the daemon.  As an asynchronous context manager it closes the marker at the end.
 
-    def __init__(self, link: Link, marker_id: str, opened: Opened | None = None) -> None:
-        self._link = link
+    If the daemon is started again without a store, its markers are lost: every call then raises UnknownMarker, even if another
+    marker has the same id.
+    """
+
+    def __init__(self, link: Link, marker_id: str, opened: Opened | None = None, home: Home | None = None) -> None:
+        self._link, self._home = link, home or Home()
         self.id = marker_id
         self.opened = opened  # the result of opening the marker; None when it was open already
         self.revision = opened.revision if opened else None  # the latest that a call through this handle returned
@@ -111,11 +116,11 @@ class AsyncMarker(AsyncMotions):
 
     def watch(self) -> AsyncWatch:
         """Watches the marker for changes by any client: a context manager and an iterator."""
-        return AsyncWatch(self._link, self.id)
+        return AsyncWatch(self._link, self.id, self._home)
 
     def drag(self, piece: str, *, mode: DragMode | None = None, base_rev: int | None = None) -> AsyncDrag:
         """A drag session: a context manager."""
-        return AsyncDrag(self._link, self.id, piece, mode, base_rev, self._edited)
+        return AsyncDrag(self._link, self.id, self._home, piece, mode, base_rev, self._edited)
 
     async def close(self, *, op_id: str | None = None) -> Closed:
         return read(Closed, await self._call("marker.close", op_id=op_id))
@@ -132,7 +137,7 @@ class AsyncMarker(AsyncMotions):
             pass  # closed already
 
     async def _call(self, method: str, **params: Any) -> Any:
-        return await self._link.call(method, named(marker_id=self.id, **params))
+        return await self._link.call(method, named(marker_id=self.id, **params), None, self._home)
 
     async def _edit(self, method: str, **params: Any) -> Edited:
         edited = read(Edited, await self._call(method, **params))

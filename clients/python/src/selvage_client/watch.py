@@ -6,6 +6,7 @@ import asyncio
 from types import TracebackType
 
 from .wire.connection import Event, Lost, Notification
+from .wire.home import Home
 from .messages.errors import CallError, ConnectionLost
 from .wire.link import AnyConnection, Link
 from .messages.results import Changed, Missed, Watching
@@ -16,11 +17,12 @@ class AsyncWatch:
     """async with marker.watch() as changes: async for change in changes: ...
 
     The iteration ends when the marker is closed.  After a lost connection the client reconnects, and yields a Missed if
-    the marker has changed in the meantime.  If it cannot reconnect within its `patience`, ConnectionLost is raised.
+    the marker has changed in the meantime.  If it cannot reconnect within its `patience`, ConnectionLost is raised, and
+    UnknownMarker if the daemon was started again and has lost the marker.
     """
 
-    def __init__(self, link: Link, marker_id: str) -> None:
-        self._link, self._marker_id = link, marker_id
+    def __init__(self, link: Link, marker_id: str, home: Home) -> None:
+        self._link, self._marker_id, self._home = link, marker_id, home
         self._events: asyncio.Queue[Event] = asyncio.Queue()
         self._deliver = self._events.put_nowait  # kept, because each access makes a new bound method
         self._connection: AnyConnection | None = None
@@ -61,6 +63,7 @@ class AsyncWatch:
     async def _begin(self) -> int:
         """Subscribes on the current connection before the daemon is asked to watch, so that no change is missed."""
         connection = await self._link.connection()
+        self._home.check(connection)
         connection.subscribe(self._marker_id, self._deliver)
         try:
             answer = await self._link.once(connection, "marker.watch", named(marker_id=self._marker_id))

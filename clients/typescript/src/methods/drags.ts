@@ -67,7 +67,7 @@ export interface DragMethods {
       markerId: string;
       /** False: do not change the marker. */
       commit?: boolean;
-      /** A name for this call; a retry with the same name gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
     result: {

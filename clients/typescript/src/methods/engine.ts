@@ -61,6 +61,8 @@ export interface EngineMethods {
       markers: number;
       /** Whether markers survive the end of the daemon. */
       durable: boolean;
+      /** As long as this is the same, an id names the same marker. It is kept in the store; without a store it is another one after each start. */
+      instance: string;
       /** The limits of this server. */
       limits: Limits;
       /** The cache of Minkowski sums. */
@@ -97,7 +99,7 @@ export interface EngineMethods {
   /** Copies the store while changes go on. */
   "admin.backup": {
     params: {
-      /** The copy is written next to the store: STORE.backup-NAME.  1 to 64 letters, digits, '.', '_' or '-'. */
+      /** The copy is written next to the store: STORE.backup-NAME.  1 to 64 letters, digits, '.', '_' or '-'. Its length is counted in bytes of UTF-8. */
       name: string;
     };
     result: {

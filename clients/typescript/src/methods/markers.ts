@@ -112,7 +112,7 @@ export interface MarkerMethods {
       pieceRules?: Array<RulesOfPieces>;
       /** Shapes that are cut roughly first, larger on some sides: [{"shape": "collar", "left": 5, "above": 5}]. */
       blocks?: Array<BlocksOfShape>;
-      /** A name for this call; a retry with the same name gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
     result: {
@@ -139,7 +139,7 @@ export interface MarkerMethods {
     params: {
       /** The marker's id. */
       markerId: string;
-      /** A name for this call; a retry with the same name gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
     result: {
@@ -158,7 +158,7 @@ export interface MarkerMethods {
       ops: Array<Edit>;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
-      /** A name for this call; a retry with the same name gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
     result: {
@@ -193,7 +193,7 @@ export interface MarkerMethods {
       markerId: string;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
-      /** A name for this call; a retry with the same name gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
     result: {
@@ -226,7 +226,7 @@ export interface MarkerMethods {
       markerId: string;
       /** Refuse the call when the marker is at another revision. */
       baseRev?: number;
-      /** A name for this call; a retry with the same name gets the same result. */
+      /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
     result: {

@@ -125,9 +125,9 @@ export type PliesOfColour = {
 
 /** How many garments are ordered. */
 export type Quantity = {
-  /** The colour of the cloth. */
+  /** The colour of the cloth. Its length is counted in bytes of UTF-8. */
   colour: string;
-  /** The size, as the attributes of the style's pieces or shapes name it. */
+  /** The size, as the attributes of the style's pieces or shapes name it. Its length is counted in bytes of UTF-8. */
   size: string;
   /** The number of garments, 0 to 1,000,000. */
   garments: number;
@@ -135,7 +135,7 @@ export type Quantity = {
 
 /** A length of cloth left over from an earlier order. */
 export type Remnant = {
-  /** The colour, which must be one of the order's. */
+  /** The colour, which must be one of the order's. Its length is counted in bytes of UTF-8. */
   colour: string;
   /** The length of the remnant, above 0. */
   length: number;

@@ -192,7 +192,7 @@ export type MotionParams = {
   commit?: boolean;
   /** True: also return ms and cache, which vary from run to run. */
   timing?: boolean;
-  /** A name for this call; a retry with the same name gets the same result. */
+  /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
   opId?: string;
   /** After this many milliseconds the motion returns its best result so far; 1 to 86,400,000. */
   deadlineMs?: number;

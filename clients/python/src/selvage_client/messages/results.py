@@ -40,6 +40,7 @@ class Info:
     durable: bool
     limits: dict[str, int]
     cache: Cache
+    instance: str = ""
 
 
 @dataclass(frozen=True)

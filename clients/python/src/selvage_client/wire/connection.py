@@ -53,11 +53,12 @@ class Connection:
         self._calls: dict[int, tuple[Deliver, int]] = {}  # the receiver of the answer, and the length of the request
         self._subscribers: dict[str, list[Deliver]] = {}  # by marker id
         self.lost: Lost | None = None
+        self.instance: str | None = None  # of the daemon; see Home
         self._reading = asyncio.create_task(self._read())
 
     @staticmethod
     async def open(address: Address, token: str | None, context: ssl.SSLContext | None) -> Connection:
-        """Raises ConnectionLost, HandshakeFailed, and Unauthorised when the token is refused."""
+        """Raises ConnectionLost, HandshakeFailed, Unauthorised when the token is refused, and Busy while the daemon loads."""
         try:
             if address.path is not None:
                 ends = await asyncio.open_unix_connection(address.path, limit=_LONGEST_LINE)
@@ -70,12 +71,13 @@ class Connection:
             where = address.path or f"{address.host}:{address.port}"
             raise (HandshakeFailed if final else ConnectionLost)(f"cannot reach {where}: {error}") from error
         connection = Connection(*ends)
-        if token is not None and address.path is None:
-            try:
-                await connection._authenticate(token)
-            except BaseException:
-                await connection.close()
-                raise
+        try:
+            if token is not None and address.path is None:
+                await connection._first("auth", {"token": token})
+            connection.instance = (await connection._first("engine.info", {})).get("instance")
+        except BaseException:
+            await connection.close()
+            raise
         return connection
 
     def call(self, method: str, params: dict[str, Any], deliver: Deliver, *, progress: bool = False) -> int:
@@ -124,14 +126,18 @@ class Connection:
         except (OSError, ssl.SSLError):
             pass
 
-    async def _authenticate(self, token: str) -> None:
+    async def _first(self, method: str, params: dict[str, Any]) -> dict[str, Any]:
+        """The result of a call while nobody else uses the connection."""
         answer: asyncio.Queue[Event] = asyncio.Queue()
-        self.call("auth", {"token": token}, answer.put_nowait)
+        self.call(method, params, answer.put_nowait)
         match await answer.get():
             case Answer(error=dict(error)):
                 raise call_error(error)
+            case Answer(dict(result)):
+                return result
             case Lost(reason):
                 raise ConnectionLost(reason)
+        raise UnexpectedAnswer(f"the answer to {method} is not an object")
 
     async def _read(self) -> None:
         reason = "the daemon closed the connection"

@@ -38,6 +38,7 @@ class InProcess:
         self._ids = itertools.count(1)
         self._calls: dict[int, tuple[Deliver, Stop]] = {}  # the receiver of the answer, and how to stop the call
         self.lost: Lost | None = None
+        self.instance: str | None = None  # it cannot be started again
 
     def call(self, method: str, params: dict[str, Any], deliver: Deliver, *, progress: bool = False) -> int:
         """Begins a call.  `deliver` receives its answer and, with `progress`, its rounds.  The id returned is for cancel."""

@@ -15,6 +15,7 @@ from typing import Any, TypeVar
 
 from .address import parse_address
 from .connection import Answer, Connection, Event, Lost
+from .home import Home
 from .in_process import InProcess
 from .progress import OnProgress
 from ..messages.choices import MOTIONS
@@ -60,18 +61,33 @@ class Link:
                 self._connection = await self._open()
             return self._connection
 
+    def home(self) -> Home:
+        """Of a marker whose id is known now."""
+        return Home(self._connection.instance if self._connection else None)
+
     async def _open(self) -> AnyConnection:
         if self._address.in_process:
             return InProcess()
         return await Connection.open(self._address, self._token, self._context)
 
-    async def call(self, method: str, params: dict[str, Any], progress: OnProgress | None = None) -> Any:
-        """Makes a call and returns its result.  Adds an `opId` to changes.  Raises CallError and ConnectionLost."""
+    async def call(
+        self, method: str, params: dict[str, Any], progress: OnProgress | None = None, home: Home | None = None
+    ) -> Any:
+        """Makes a call and returns its result.  Adds an `opId` to changes.  Raises CallError and ConnectionLost.
+
+        `home`: of the marker that the call is about, or that it opens.
+        """
+        marker_home = home or Home()
         if changes(method, params) and "opId" not in params:
             params = params | {"opId": uuid.uuid4().hex}
 
         async def attempt() -> Any:
-            return await self.once(await self.connection(), method, params, progress)
+            connection = await self.connection()
+            if method == "marker.open":
+                marker_home.move_to(connection)
+            elif "markerId" in params:
+                marker_home.check(connection)
+            return await self.once(connection, method, params, progress)
 
         return await (self.with_retries(attempt) if may_repeat(method, params) else attempt())
 
