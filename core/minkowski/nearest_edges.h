@@ -65,10 +65,10 @@ std::optional<NearestEdges::Near> NearestEdges::next(Skip skip) {
     const Node node = heap_.back();
     heap_.pop_back();
     if (node.level == 0) return Near{&sum_.edges()[node.index], node.squared_distance};
-    const BoxTree& tree = sum_.tree();
+    const rings::BoxTree& tree = sum_.tree();
     if (skip(tree.box(node.level, node.index))) continue;
     const std::size_t end = tree.end_of_run(node.level - 1, node.index);
-    for (std::size_t k = node.index * BoxTree::kFan; k < end; ++k) push(node.level - 1, k);
+    for (std::size_t k = node.index * rings::BoxTree::kFan; k < end; ++k) push(node.level - 1, k);
   }
   return std::nullopt;
 }

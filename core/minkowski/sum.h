@@ -12,8 +12,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/minkowski/box_tree.h"
 #include "core/minkowski/convolution/star_sum.h"
+#include "core/minkowski/rings/box_tree.h"
 #include "core/outline/outline.h"
 
 namespace selvage::minkowski {
@@ -39,7 +39,7 @@ class MinkowskiSum {
   [[nodiscard]] std::size_t bytes() const;
 
   // The box tree of edges().
-  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+  [[nodiscard]] const rings::BoxTree& tree() const { return tree_; }
 
  private:
   MinkowskiSum() = default;
@@ -47,7 +47,7 @@ class MinkowskiSum {
   std::vector<convolution::StarSum> rings_;
   std::vector<Box> ring_boxes_;
   std::vector<convolution::SumEdge> visible_;  // used only when there are several rings
-  BoxTree tree_;
+  rings::BoxTree tree_;
   Box box_;
 };
 

@@ -9,7 +9,6 @@
 
 #include "core/geometry/lattice.h"
 #include "core/geometry/real_plane.h"
-#include "core/minkowski/ring.h"
 
 namespace selvage::motion::placing {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/minkowski/nearest_edges.h"
-#include "core/minkowski/ring.h"
+#include "core/minkowski/rings/ring.h"
 
 namespace selvage::motion::repair {
 namespace {
@@ -25,7 +25,7 @@ Vec just_outside(RealVec at, const minkowski::convolution::SumEdge& edge) {
 // The centre of the first star sum that holds r: a point of its kernel.
 RealVec kernel_about(const minkowski::MinkowskiSum& sum, Vec r) {
   for (const minkowski::convolution::StarSum& ring : sum.rings()) {
-    if (minkowski::holds(ring, real(r), 0)) return ring.centre;
+    if (minkowski::rings::holds(ring, real(r), 0)) return ring.centre;
   }
   return sum.rings()[0].centre;
 }

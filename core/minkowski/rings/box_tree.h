@@ -11,7 +11,7 @@
 
 #include "core/minkowski/convolution/star_sum.h"
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 
 [[nodiscard]] constexpr Box box_of(const convolution::SumEdge& edge) {
   return {{std::min(edge.from.x, edge.to.x), std::min(edge.from.y, edge.to.y)},
@@ -53,4 +53,4 @@ class BoxTree {
   std::vector<std::size_t> level_start_{0};  // start of each level in `boxes_`, and the end
 };
 
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

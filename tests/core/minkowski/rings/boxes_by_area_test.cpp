@@ -1,5 +1,5 @@
-// Tests of searches for boxes by area (core/minkowski/boxes_by_area.h), against a scan of all boxes.
-#include "core/minkowski/boxes_by_area.h"
+// Tests of searches for boxes by area (core/minkowski/rings/boxes_by_area.h), against a scan of all boxes.
+#include "core/minkowski/rings/boxes_by_area.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "tests/support/polygons.h"
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 namespace {
 
 Box random_box(test::Random& random) {
@@ -67,4 +67,4 @@ TEST(BoxesByArea, FindsWhatAScanFinds) {
 }
 
 }  // namespace
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

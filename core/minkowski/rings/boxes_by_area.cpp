@@ -1,4 +1,4 @@
-#include "core/minkowski/boxes_by_area.h"
+#include "core/minkowski/rings/boxes_by_area.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 namespace {
 
 std::vector<std::uint32_t> numbered(std::size_t count) {
@@ -119,4 +119,4 @@ std::optional<std::uint32_t> BoxesByArea::next() {
   return {};
 }
 
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

@@ -1,11 +1,11 @@
-// Tests of the box tree over a sum's edges (core/minkowski/box_tree.h).
-#include "core/minkowski/box_tree.h"
+// Tests of the box tree over a sum's edges (core/minkowski/rings/box_tree.h).
+#include "core/minkowski/rings/box_tree.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 namespace {
 
 std::vector<convolution::SumEdge> edges(std::size_t count) {
@@ -49,4 +49,4 @@ TEST(BoxTree, EachBoxBoundsItsChildrenAndTheRootBoundsAllEdges) {
 }
 
 }  // namespace
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "core/minkowski/box_tree.h"
+#include "core/minkowski/rings/box_tree.h"
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 
 // The indices of the boxes by area, the largest first; of equal areas, the lower index comes first.
 [[nodiscard]] std::vector<std::uint32_t> by_area(std::span<const Box> boxes);
@@ -57,4 +57,4 @@ class BoxesByArea {
   std::vector<Node> open_;  // a heap
 };
 
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

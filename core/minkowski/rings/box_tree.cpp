@@ -1,6 +1,6 @@
-#include "core/minkowski/box_tree.h"
+#include "core/minkowski/rings/box_tree.h"
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 
 template <class BoxOf>
 void BoxTree::build(BoxOf box_of_leaf) {
@@ -29,4 +29,4 @@ BoxTree::BoxTree(std::span<const Box> leaves) : leaves_{leaves.size()} {
   build([&](std::size_t k) { return leaves[k]; });
 }
 
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

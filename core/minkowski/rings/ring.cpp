@@ -1,11 +1,11 @@
-#include "core/minkowski/ring.h"
+#include "core/minkowski/rings/ring.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/geometry/pseudo_angle.h"
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 namespace {
 
 double angle_of(double x, double y) {
@@ -156,4 +156,4 @@ void Ring::append_radial(const Question& question, Stretches& stretches) const {
   }
 }
 
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings

@@ -7,7 +7,7 @@
 
 #include "core/minkowski/convolution/star_sum.h"
 
-namespace selvage::minkowski {
+namespace selvage::minkowski::rings {
 
 using Stretches = std::vector<std::pair<double, double>>;
 
@@ -52,4 +52,4 @@ class Ring {
   std::vector<Corner> corners_;
 };
 
-}  // namespace selvage::minkowski
+}  // namespace selvage::minkowski::rings
