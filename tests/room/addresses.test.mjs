@@ -92,6 +92,45 @@ for (const locked of [false, true]) {
   });
 }
 
+test("a page to which the user returns is connected again", () =>
+  story(here, async (page, port) => {
+    await page.send("Page.navigate", { url: "about:blank" });
+    await page.until(`location.href === "about:blank"`);
+    await page.ask("history.back()");
+    await page.until(`document.querySelector("#status")?.dataset.state === "open" && !!selvageRoom.view()`);
+    const { markerId } = await shown(page, port);
+    await call(port, "motion.compact", { markerId });
+    await page.until("selvageRoom.revision() >= 2");
+  }));
+
+test("a page that crashes during a search leaves no copy behind", () =>
+  story(here, async (page, port) => {
+    await page.press("Fine");
+    await becomes(2, port);
+    void page.send("Page.crash").catch(() => {});
+    await becomes(1, port);
+    assert.deepEqual((await markersOf(port)).map(({ name }) => name), ["jeans_02g"]);
+  }));
+
+test("a search goes on with a new copy after the daemon was started again", async () => {
+  const first = await startDaemon();
+  const page = await visit(here.browser, first.port);
+  await page.press("Nest");
+  await becomes(2, first.port);
+  await first.stop("SIGKILL");
+  const second = await startDaemon({ port: first.port });
+  await page.until(`document.querySelector("#toast").textContent.includes("opened again")`);
+  await becomes(2, second.port);
+  const names = (await markersOf(second.port)).map(({ name }) => name).sort();
+  assert.deepEqual(names, ["jeans_02g", "jeans_02g (search)"]);
+  await second.stop();
+});
+
+async function becomes(count, port) {
+  for (const end = Date.now() + 30_000; (await markersOf(port)).length !== count && Date.now() < end; ) await new Promise((resolve) => setTimeout(resolve, 20));
+  assert.equal((await markersOf(port)).length, count);
+}
+
 // The open markers, asked with the token if the daemon is locked.
 async function openMarkers(port, locked) {
   const headers = { "Content-Type": "application/json", ...(locked ? { Authorization: `Bearer ${token}` } : {}) };

@@ -112,6 +112,8 @@ export interface MarkerMethods {
       pieceRules?: Array<RulesOfPieces>;
       /** Shapes that are cut roughly first, larger on some sides: [{"shape": "collar", "left": 5, "above": 5}]. */
       blocks?: Array<BlocksOfShape>;
+      /** True: the marker is closed when the connection that opens it ends. Not over plain HTTP. */
+      closeWithConnection?: boolean;
       /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;
     };
