@@ -64,6 +64,7 @@ test("names in files are read as the command line reads them", () =>
       big5: [named("\xab\x65\xa4\xf9"), front],
       japanese: [named("\x91\x4f\x95\xd0", "ANSI_932"), "\u524d\u7247"],
     };
+    const encodings = { gbk: "GBK", marked: "UTF-16 (little-endian)", western: "Windows-1252", big5: "Big5", japanese: "Shift JIS" };
     for (const [name, [bytes, expected]] of Object.entries(cases)) {
       await page.ask(`(() => {
         const transfer = new DataTransfer();
@@ -72,6 +73,10 @@ test("names in files are read as the command line reads them", () =>
         dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
       })()`);
       await page.until(`document.querySelector("#toast").textContent.startsWith("${name}.dxf: ")`);
+      const message = await page.text("#toast");
+      if (encodings[name]) assert.match(message, /notes, the first: /);
+      if (encodings[name]) assert.ok(message.includes(`texts are read as ${encodings[name]}`), message);
+      else if (name === "plain") assert.ok(!message.includes("read as"), message);
       const { marker } = await shown(page, port);
       assert.ok(marker.shapes.some(({ id, attributes }) => `${id} ${attributes?.name}`.includes(expected)), `${name}: ${marker.shapes.map(({ id }) => id)}`);
     }

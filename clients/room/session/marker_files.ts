@@ -60,11 +60,12 @@ export class MarkerFiles {
 
   private async openAll(files: File[]): Promise<void> {
     await this.trying(async () => {
-      for (const { name, marker, ...besides } of await readFiles(files)) {
+      for (const { name, marker, notes: ofFiles, ...besides } of await readFiles(files)) {
         const { pieces, unplaced = 0, notes } = await this.desk.open(marker, besides);
-        const [first] = notes;
-        const values = { name, pieces: pieces + unplaced, count: notes.length, note: first?.text ?? "" };
-        this.showMessage(say(first ? "openedNotes" : "opened", values));
+        const all = [...ofFiles, ...notes.map(({ text }) => text)];
+        const [first] = all;
+        const values = { name, pieces: pieces + unplaced, count: all.length, note: first ?? "" };
+        this.showMessage(say(first === undefined ? "opened" : "openedNotes", values));
       }
     });
   }

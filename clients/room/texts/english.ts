@@ -231,6 +231,7 @@ export const english = {
   refusedDrop: "This cannot be done: {why}",
   opened: "{name}: {pieces} pieces opened.",
   openedNotes: "{name}: {pieces} pieces opened; {count} notes, the first: {note}",
+  readAs: "texts are read as {encoding}",
   announce: "Length {length}, utilisation {utilisation}.",
   errorConnection: "The connection was lost before the answer arrived.",
   errorNothingToUndo: "There is nothing left to undo or redo.",
