@@ -87,7 +87,10 @@ calls::Outcome get(const GetParams& params, const ServerContext& server, const c
     if (call.abandoned()) return calls::abandoned();
     auto document = protocol::files::marker_document(*now->file, params.format);
     if (!document) return protocol::rpc::rpc_error(document.error());
-    return document_json(id, now->revision, params.format, *std::move(document));
+    Json json = document_json(id, now->revision, params.format, *std::move(document));
+    const auto lost = protocol::methods::readings::notes_on_losses(*now->file, params.format);
+    if (!lost.empty()) json["notes"] = schema::Wire<std::vector<protocol::calls::Note>>::write(lost);
+    return json;
   }
   if (params.since) {
     if (auto placements = placements_since(*now, *params.since)) {
