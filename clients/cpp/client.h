@@ -9,8 +9,9 @@
 // answered exactly once, in the order in which they finish.
 //
 // The first call connects.  If the connection breaks, the client reconnects and sends unanswered calls again where that
-// is safe (resending.h); for this, it adds an opId to calls that change something.  It also restores watches.  A client
-// may be used from many threads.
+// is safe (resending.h); for this, it adds an opId to calls that change something.  It also restores watches.  The id
+// of a marker that was lost with its daemon is not used in another instance of it (homes.h).  A client may be used from
+// many threads.
 #pragma once
 
 #include <chrono>

@@ -15,12 +15,19 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kFirstPause{20}, kLongestPause{1000};  // between attempts to connect, or to call a busy daemon
 constexpr std::string_view kAuthId = "auth";                  // ids of requests that the conversation itself makes
-constexpr std::string_view kWatchId = "watch ";               // followed by the marker's id
+constexpr std::string_view kInstanceId = "instance";
+constexpr std::string_view kWatchId = "watch ";  // followed by the marker's id
 
 std::string internal_request(const Json& id, std::string_view method, const Json& params) {
   Json message{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}};
   if (!id.is_null()) message["id"] = id;
   return message.dump() + "\n";
+}
+
+CallError lost_marker() {
+  return {CallCode::kUnknownMarker,
+          "the daemon was started again and no longer has this marker; the id may name another one now",
+          {{"field", "/markerId"}}};
 }
 
 }  // namespace
@@ -36,14 +43,15 @@ Conversation::Conversation(boost::asio::io_context& io, std::optional<Address> a
 Conversation::~Conversation() = default;
 
 void Conversation::begin(CallId id, OpenCall call) {
-  OpenCall& begun = open_.emplace(id, std::move(call)).first->second;
+  open_.emplace(id, std::move(call));
   if (state_ == State::kEnded) return answer(id, CallError{CallCode::kEnded, "the client has ended", nullptr});
   if (!address_) {
     return answer(
         id, CallError{CallCode::kBadAddress,
                       "the address of a daemon is HOST:PORT, tls://HOST:PORT or the path of a Unix socket", nullptr});
   }
-  if (state_ == State::kOpen) return send(begun);
+  if (state_ == State::kOpen && instance_ == Instance::kTold) return send(id);
+  if (state_ == State::kOpen && instance_ == Instance::kUnknown) return ask_instance();
   if (state_ != State::kIdle) return;
   start_trying();
   attempt();
@@ -90,11 +98,53 @@ void Conversation::connected() {
   reconnecting_ = std::exchange(was_connected_, true);
   if (!settings_.token.empty()) connection_->send(internal_request(kAuthId, "auth", {{"token", settings_.token}}));
   refused_calls_.clear();
-  for (const auto& [marker, watch] : watched_) send_watch(marker);
-  for (auto& [id, call] : open_) send(call);
+  ask_instance();
 }
 
-void Conversation::send(OpenCall& call) {
+void Conversation::ask_instance() {
+  instance_ = Instance::kAsked;
+  connection_->send(internal_request(kInstanceId, "engine.info", Json::object()));
+}
+
+// A daemon that tells no instance, or refuses to tell it, is not asked again: its answers to the calls say what it
+// means.
+void Conversation::receive_instance(const Answer& received) {
+  if (!received && received.error().code == CallCode::kBusy) {
+    instance_ = Instance::kUnknown;
+    if (Clock::now() >= try_until_) refuse_calls(received.error());
+    if (!open_.empty() || !watched_.empty()) retry_later();
+    return;
+  }
+  // The daemon, which needs a token, ends the connection.
+  if (!received && received.error().code == CallCode::kUnauthorised) {
+    connection_->close();
+    return give_up(received.error());
+  }
+  instance_ = Instance::kTold;
+  const bool tells =
+      received && received->is_object() && received->contains("instance") && (*received)["instance"].is_string();
+  homes_.move_to(tells ? (*received)["instance"].get<std::string>() : std::string{});
+  restore_watches();
+  for (auto next = open_.begin(); next != open_.end();) send((next++)->first);
+}
+
+void Conversation::restore_watches() {
+  std::vector<std::string> lost;
+  for (const auto& [marker, watch] : watched_) {
+    homes_.may_use(marker) ? send_watch(marker) : lost.push_back(marker);
+  }
+  // All of them first, because the connection is reported as restored when no other watch is left.
+  for (const std::string& marker : lost) watched_.erase(marker);
+  for (const std::string& marker : lost) report_closed(marker);
+}
+
+void Conversation::refuse_calls(const CallError& busy) {
+  while (!open_.empty()) answer(open_.begin()->first, busy);
+}
+
+void Conversation::send(CallId id) {
+  OpenCall& call = open_.at(id);
+  if (!call.marker.empty() && !homes_.may_use(call.marker)) return answer(id, lost_marker());
   call.sent = true;
   connection_->send(call.line);
 }
@@ -116,7 +166,7 @@ void Conversation::receive(const std::string& line) {
 // could be missed until all watches hold.
 void Conversation::report_reconnection() {
   const auto holds = [](const auto& watched) { return watched.second == Watch::kHeld; };
-  if (!reconnecting_ || state_ != State::kOpen || !std::ranges::all_of(watched_, holds)) return;
+  if (!reconnecting_ || instance_ != Instance::kTold || !std::ranges::all_of(watched_, holds)) return;
   reconnecting_ = false;
   if (handlers_.reconnected) handlers_.reconnected();
 }
@@ -131,6 +181,7 @@ void Conversation::receive_answer(const Json& message) {
   }
   if (const std::string own = id.is_string() ? id.get<std::string>() : ""; own.starts_with(kWatchId))
     return receive_watch(own.substr(kWatchId.size()), received);
+  if (id == kInstanceId) return receive_instance(received);
   if (received) return;
   if (id == kAuthId) {
     connection_->close();
@@ -177,11 +228,12 @@ void Conversation::retry_later() {
   retry_timer_.expires_after(kFirstPause);
   retry_timer_.async_wait([this](const boost::system::error_code& error) {
     if (error || state_ != State::kOpen) return;
+    if (instance_ == Instance::kUnknown) return ask_instance();
     for (const auto& [marker, watch] : watched_) {
       if (watch == Watch::kRefused) send_watch(marker);
     }
     for (const CallId id : std::exchange(refused_calls_, {})) {
-      if (const auto found = open_.find(id); found != open_.end()) send(found->second);
+      if (const auto found = open_.find(id); found != open_.end()) send(id);
     }
   });
 }
@@ -206,7 +258,8 @@ std::optional<CallId> Conversation::longest_sent() const {
   return longest;
 }
 
-void Conversation::update_watched(const OpenCall& call) {
+void Conversation::remember(const OpenCall& call, const Json& result) {
+  if (call.method == "marker.open" || call.method == "marker.list") homes_.learn_from(result);
   if (call.method == "marker.watch") watched_[call.marker] = Watch::kHeld;
   if (call.method == "marker.unwatch") watched_.erase(call.marker);
 }
@@ -221,6 +274,7 @@ void Conversation::handle_disconnect(const std::string& why) {
     answer(id, CallError{CallCode::kDisconnected, "the connection broke before the answer arrived", nullptr});
   }
   state_ = State::kIdle;
+  instance_ = Instance::kUnknown;
   if (open_.empty() && watched_.empty()) return;
   // A daemon that accepts connections and closes them unused counts as unreachable: the delays between attempts grow,
   // and the time limit runs.
@@ -250,6 +304,7 @@ void Conversation::handle_untrusted(const std::string& why) {
 
 void Conversation::give_up(const CallError& error) {
   state_ = State::kIdle;
+  instance_ = Instance::kUnknown;
   watched_.clear();
   for (auto open = std::exchange(open_, {}); auto& [id, call] : open) call.promise.set_value(error);
   if (handlers_.lost) handlers_.lost(error);
@@ -258,7 +313,7 @@ void Conversation::give_up(const CallError& error) {
 void Conversation::answer(CallId id, Answer answer) {
   const auto found = open_.find(id);
   if (found == open_.end()) return;
-  if (answer) update_watched(found->second);
+  if (answer) remember(found->second, *answer);
   OpenCall call = std::move(found->second);
   open_.erase(found);
   call.promise.set_value(std::move(answer));

@@ -1,6 +1,9 @@
 // The exchange of one client with one daemon, over one connection after another.  Everything here runs on the thread of
 // the io_context.
 //
+// On every connection it first asks for the daemon's instance, and sends nothing else until it knows whether the ids of
+// markers still have their meaning.
+//
 // Invariants: every call that was begun is answered exactly once; every call marked as sent was sent on the current
 // connection.
 #pragma once
@@ -19,6 +22,7 @@
 
 #include "clients/cpp/address.h"
 #include "clients/cpp/client.h"
+#include "clients/cpp/homes.h"
 
 namespace selvage::client {
 
@@ -48,18 +52,24 @@ class Conversation {
   // A watch on the current connection.  A daemon that is busy, for instance with loading its markers, refuses it, and
   // is asked again.
   enum class Watch { kAsked, kRefused, kHeld };
+  // Whether the daemon has told its instance on the current connection.  One that is busy is asked again.
+  enum class Instance { kUnknown, kAsked, kTold };
 
   void start_trying();
   void attempt();
   void connected();
-  void send(OpenCall& call);
+  void ask_instance();
+  void receive_instance(const Answer& received);
+  void restore_watches();
+  void refuse_calls(const CallError& busy);
+  void send(CallId id);
   void receive(const std::string& line);
   void report_reconnection();
   void receive_answer(const Json& message);
   void receive_watch(const std::string& marker, const Answer& received);
   void receive_notification(const Json& message);
   void report_closed(const std::string& marker);
-  void update_watched(const OpenCall& call);
+  void remember(const OpenCall& call, const Json& result);
   void send_watch(const std::string& marker);
   void call_later(CallId id);
   void retry_later();
@@ -80,6 +90,8 @@ class Conversation {
   bool received_any_{};     // the daemon has sent something on the current connection
   bool last_was_silent_{};  // the previous connection ended before the daemon sent anything
   std::shared_ptr<Connection> connection_;
+  Instance instance_{Instance::kUnknown};
+  Homes homes_;
   boost::asio::steady_timer retry_timer_;
   std::chrono::steady_clock::time_point try_until_;
   std::chrono::milliseconds next_pause_{};

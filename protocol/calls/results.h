@@ -44,12 +44,12 @@ struct AtRevision {
 };
 
 struct Note {
-  static constexpr std::string_view kName = "Note", kMeaning = "A repair made while reading.";
+  static constexpr std::string_view kName = "Note", kMeaning = "A repair made while reading, or what a format loses.";
   std::string field, text;
 
   static void describe(auto& v, auto& self) {
-    v.required("field", self.field, "A JSON pointer into the parameters.");
-    v.required("text", self.text, "What was repaired, rounded or read differently than written.");
+    v.required("field", self.field, "A JSON pointer into the parameters; empty for the whole marker.");
+    v.required("text", self.text, "What was repaired, rounded, read differently than written or lost.");
   }
 };
 [[nodiscard]] std::vector<Note> notes_of(const std::vector<selvage::Note>& notes);

@@ -58,6 +58,11 @@ inline protocol::rpc::RpcError no_notifications() {
           "this connection cannot receive notifications: use /ws or a line connection",
           {}};
 }
+inline protocol::rpc::RpcError no_connection_to_close_with() {
+  return {protocol::rpc::RpcCode::kInvalidRequest,
+          "closeWithConnection has no meaning over plain HTTP, where no connection lasts: use /ws or a line connection",
+          Json{{"field", "/closeWithConnection"}}};
+}
 // REQUIRES: the queue did not accept the job.
 inline protocol::rpc::RpcError not_admitted(jobs::Admission admission, const jobs::JobQueue& queue,
                                             const std::string& reason) {

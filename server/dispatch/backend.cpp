@@ -23,7 +23,8 @@ Backend::Backend(BackendSettings settings)
                 [this, cores = settings.workers] { return idle_cores(cores); }},
       queues_{settings.workers, limits_, clock_},
       drags_{store_, committer_, watchers_, sums_, queues_.drags, std::move(settings.drag)},
-      context_{store_, library_, watchers_, committer_, drags_, sums_, executor_, limits_, settings.workers, methods_},
+      context_{store_,    library_, watchers_,        committer_, connection_markers_, drags_, sums_,
+               executor_, limits_,  settings.workers, methods_},
       dispatcher_{context_, clock_, queues_, std::move(settings.on_answered)} {}
 
 // The jobs end first, then the alarms, because both may use the members that are destroyed after them.

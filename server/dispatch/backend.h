@@ -12,6 +12,7 @@
 #include "protocol/methods/method_table.h"
 #include "server/calls/limits.h"
 #include "server/changes/committer.h"
+#include "server/changes/connection_markers.h"
 #include "server/changes/watchers.h"
 #include "server/dispatch/dispatcher.h"
 #include "server/dispatch/work_queues.h"
@@ -74,6 +75,7 @@ class Backend {
   jobs::DeadlineClock clock_;
   WorkQueues queues_;
   drags::DragSessions drags_;
+  changes::ConnectionMarkers connection_markers_{store_, watchers_, queues_.openings};
   const methods::ServerContext context_;
   Dispatcher dispatcher_;
 };

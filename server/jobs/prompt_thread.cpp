@@ -97,11 +97,11 @@ void run_promptly(Promptness how) {
   set_real_time(when == RealTime::kAlways || (when == RealTime::kWhenLate && without_lateness));
 }
 
-void woke_up_after(steady_clock::duration waited) {
+void woke_up_after(steady_clock::duration waited, bool (*are_short)()) {
   if (real_time_when != RealTime::kWhenLate) return;
   const auto now = steady_clock::now();
   // While a processor is idle, a late thread has not waited for another thread, so a priority would not help it.
-  lateness_of_all.record(waited >= Lateness::kLate && processors_are_short(), now);
+  lateness_of_all.record(waited >= Lateness::kLate && are_short(), now);
   if (own_urgency) set_real_time(is_time(own_urgency->when, now));
 }
 

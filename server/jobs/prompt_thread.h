@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "server/jobs/scheduling.h"
+
 namespace selvage::server::jobs {
 
 enum class Promptness {
@@ -41,8 +43,8 @@ void run_promptly(Promptness how);
 // The calling thread has woken up for work that it was given so long ago, when it waited for nothing else.  It is late
 // if that took Lateness::kLate or more, while more threads wanted to run than there are processors.  With
 // RealTime::kWhenLate a thread of run_promptly() gains or loses its priority here; for other threads it is only
-// recorded whether they were late.
-void woke_up_after(std::chrono::steady_clock::duration waited);
+// recorded whether they were late.  `are_short` says whether more threads want to run; tests replace it.
+void woke_up_after(std::chrono::steady_clock::duration waited, bool (*are_short)() = processors_are_short);
 
 // From now on the calling thread, and those that it starts, have a third of the share in a busy processor that others
 // have, so the others have rarely used up theirs when they wake up.

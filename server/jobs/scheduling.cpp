@@ -23,11 +23,16 @@ bool write_scheduling(Scheduling scheduling) {
 }
 
 bool processors_are_short() {
-  std::ifstream load{"/proc/loadavg"};  // three averages, then the threads that run or could run now
+  std::ifstream load{"/proc/loadavg"};
+  return processors_are_short(load, std::thread::hardware_concurrency());
+}
+
+bool processors_are_short(std::istream& load, unsigned processors) {
   double average{};
   unsigned running{};
+  // Three averages, then the threads that run or could run now.
   const bool told = static_cast<bool>(load >> average >> average >> average >> running);
-  return !told || running > std::thread::hardware_concurrency();
+  return !told || running > processors;
 }
 
 }  // namespace selvage::server::jobs

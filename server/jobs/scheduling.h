@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <istream>
 
 namespace selvage::server::jobs {
 
@@ -27,5 +28,7 @@ static_assert(sizeof(Scheduling) == 48);
 // Whether more threads of the whole machine run, or could run, than there are processors for this program.  Where the
 // kernel does not say, they might.
 [[nodiscard]] bool processors_are_short();
+// The same for what /proc/loadavg contains.
+[[nodiscard]] bool processors_are_short(std::istream& load, unsigned processors);
 
 }  // namespace selvage::server::jobs

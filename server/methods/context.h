@@ -7,6 +7,7 @@
 #include "core/minkowski/cache.h"
 #include "server/calls/limits.h"
 #include "server/changes/committer.h"
+#include "server/changes/connection_markers.h"
 #include "server/changes/watchers.h"
 #include "server/drags/drag_sessions.h"
 #include "server/library/library.h"
@@ -22,6 +23,7 @@ struct ServerContext {
   library::Library& library;
   changes::Watchers& watchers;
   changes::Committer& committer;
+  changes::ConnectionMarkers& connection_markers;
   drags::DragSessions& drags;
   SumCache& sums;
   const Executor& executor;  // on which motions run parts of their work in parallel

@@ -18,17 +18,24 @@ namespace daemon = protocol::methods::daemon;
 namespace schema = protocol::schema;
 using protocol::methods::readings::GetParams;
 
+// The answer to a call that opens a connection's marker is not kept: sent again on another connection, it opens a new
+// one.
 calls::Outcome open(daemon::OpenParams& params, const ServerContext& server, calls::OpenCall& call) {
+  const bool of_connection = params.close_with_connection;
+  if (of_connection && !call.session()->notify) return calls::no_connection_to_close_with();
+  if (of_connection) params.op_id.reset();
   if (const auto earlier = server.committer.earlier_answer("", params.op_id, "marker.open", call)) return *earlier;
   if (call.abandoned() || !call.settle()) return calls::abandoned();
   Json result;
   const auto opened = server.store.open(
-      std::move(params.file), [&](const store::OpenMarker& marker) -> std::optional<store::KeptAnswer> {
+      std::move(params.file),
+      [&](const store::OpenMarker& marker) -> std::optional<store::KeptAnswer> {
         result = schema::encode(daemon::opened(marker.id, marker.now.revision, *marker.now.file));
         if (!params.op_id) return std::nullopt;
         return changes::Committer::kept_answer(
             *params.op_id, "marker.open", std::make_shared<const std::string>(protocol::json::to_text(result)), call);
-      });
+      },
+      of_connection ? store::Owner::kConnection : store::Owner::kDaemon);
   if (const auto* why = std::get_if<store::NotOpened>(&opened)) {
     switch (*why) {
       case store::NotOpened::kTooLarge: return calls::marker_too_large(server.store);
@@ -36,6 +43,7 @@ calls::Outcome open(daemon::OpenParams& params, const ServerContext& server, cal
       case store::NotOpened::kNotWritten: return calls::not_written();
     }
   }
+  if (of_connection) server.connection_markers.add(std::get<store::OpenMarker>(opened).id, *call.session());
   return result;
 }
 
@@ -79,7 +87,10 @@ calls::Outcome get(const GetParams& params, const ServerContext& server, const c
     if (call.abandoned()) return calls::abandoned();
     auto document = protocol::files::marker_document(*now->file, params.format);
     if (!document) return protocol::rpc::rpc_error(document.error());
-    return document_json(id, now->revision, params.format, *std::move(document));
+    Json json = document_json(id, now->revision, params.format, *std::move(document));
+    const auto lost = protocol::methods::readings::notes_on_losses(*now->file, params.format);
+    if (!lost.empty()) json["notes"] = schema::Wire<std::vector<protocol::calls::Note>>::write(lost);
+    return json;
   }
   if (params.since) {
     if (auto placements = placements_since(*now, *params.since)) {
@@ -102,15 +113,12 @@ calls::Outcome close(const daemon::CloseParams& params, const ServerContext& ser
   if (call.abandoned() || !call.settle()) return calls::abandoned();
   std::optional<store::KeptAnswer> answer;
   if (params.op_id) answer = changes::Committer::kept_answer(*params.op_id, "marker.close", text, call);
-  const auto on_closed = [&] {
-    server.watchers.notify_and_remove(id, protocol::json::to_text(protocol::rpc::notification(
-                                              "marker.closed", schema::encode(daemon::MarkerIdParams{id}))));
-  };
-  switch (server.store.close(id, answer, on_closed)) {
+  switch (changes::close_marker(server.store, server.watchers, id, answer)) {
     case store::Closed::kUnknown: return calls::unknown_marker(server.store, id);
     case store::Closed::kNotWritten: return calls::not_written();
     case store::Closed::kDone: break;
   }
+  server.connection_markers.remove(id);
   return text;
 }
 

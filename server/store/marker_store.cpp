@@ -96,6 +96,10 @@ void MarkerStore::restore(disk::StoredContent content) {
     entry->number = static_cast<std::uint64_t>(marker.number);
     entry->stored_revision = marker.revision;
     entry->summary = read_summary(marker.summary);
+    if (entry->summary && entry->summary->of_connection) {
+      (void)journal_->closed(entry->number, {});  // if it is not written, the next start tries again
+      continue;
+    }
     entry->answers = restore_answers(std::exchange(marker.answers, {}));
     entry->stored = std::move(marker);
     entry->count();
@@ -148,7 +152,7 @@ bool MarkerStore::load(const std::string& id, Entry& entry) const {
   return true;
 }
 
-std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const OpenAnswer& answer) {
+std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const OpenAnswer& answer, Owner owner) {
   const Weight weight = weight_of(file);
   if (weight.file > room_.marker_bytes) return NotOpened::kTooLarge;
   const memory::ByteAccount& account = *room_.account;
@@ -159,6 +163,7 @@ std::variant<OpenMarker, NotOpened> MarkerStore::open(MarkerFile file, const Ope
   entry->count();
   entry->current = opened.now;
   entry->summary = summary_of(opened.now.file->marker);
+  entry->summary->of_connection = owner == Owner::kConnection;
   entry->loaded = true;
   {
     const std::lock_guard lock{mutex_};
@@ -260,6 +265,7 @@ Commit MarkerStore::commit(const std::string& id, Revision base, NextRevision ne
     if (!room_.account->has_room(needed - std::min(needed, freed))) return {Commit::Outcome::kNoRoom, base};
   }
   Summary summary = summary_of(next.file.marker);
+  summary.of_connection = entry->summary && entry->summary->of_connection;
   const auto change = change_of(entry->answers, next.answer);
   if (journal_ &&
       !journal_->changed(entry->number, {revision, moves, next.file, summary_text(summary), recorded, change})) {

@@ -73,6 +73,10 @@ struct Room {
 // Why a marker was not opened: it is too large, there is no room left for markers, or the journal failed.
 enum class NotOpened { kTooLarge, kNoRoom, kNotWritten };
 
+// To whom a marker belongs.  One of a connection is closed with it; the next start closes one that is left in a
+// journal.
+enum class Owner { kDaemon, kConnection };
+
 enum class Closed { kDone, kUnknown, kNotWritten };
 
 // Whether an answer was kept.
@@ -100,7 +104,8 @@ class MarkerStore {
 
   // `answer` returns the answer to keep for retries, given the opened marker, or nothing.
   using OpenAnswer = std::function<std::optional<KeptAnswer>(const OpenMarker&)>;
-  [[nodiscard]] std::variant<OpenMarker, NotOpened> open(MarkerFile file, const OpenAnswer& answer = {});
+  [[nodiscard]] std::variant<OpenMarker, NotOpened> open(MarkerFile file, const OpenAnswer& answer = {},
+                                                         Owner owner = Owner::kDaemon);
   // Returns nothing if no such marker is open, or if there is no room to read it from the journal.
   [[nodiscard]] std::optional<Committed> current(const std::string& id) const;
   [[nodiscard]] std::vector<ListedMarker> all() const;  // in the order of ids

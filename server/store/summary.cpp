@@ -16,12 +16,10 @@ Summary summary_of(const Marker& marker) {
 }
 
 std::string summary_text(const Summary& summary) {
-  return protocol::json::to_text(Json{{"name", summary.name},
-                                      {"pieces", summary.pieces},
-                                      {"unplaced", summary.unplaced},
-                                      {"vertices", summary.vertices},
-                                      {"length", summary.length},
-                                      {"utilisation", summary.utilisation}});
+  Json json{{"name", summary.name},         {"pieces", summary.pieces}, {"unplaced", summary.unplaced},
+            {"vertices", summary.vertices}, {"length", summary.length}, {"utilisation", summary.utilisation}};
+  if (summary.of_connection) json["ofConnection"] = true;
+  return protocol::json::to_text(json);
 }
 
 std::optional<Summary> read_summary(const std::string& text) {
@@ -39,6 +37,7 @@ std::optional<Summary> read_summary(const std::string& text) {
   summary.vertices = count("vertices");
   summary.length = fields.number("length");
   summary.utilisation = fields.number("utilisation");
+  summary.of_connection = fields.flag_or("ofConnection", false);
   fields.finish();
   if (mistake) return std::nullopt;
   return summary;

@@ -15,6 +15,7 @@ struct Summary {
   std::size_t vertices{};  // of all pieces
   double length{};         // in the marker's unit
   double utilisation{};    // 0..1
+  bool of_connection{};    // it belongs to a connection, with which it is closed
   friend bool operator==(const Summary&, const Summary&) = default;
 };
 

@@ -64,6 +64,7 @@ test("names in files are read as the command line reads them", () =>
       big5: [named("\xab\x65\xa4\xf9"), front],
       japanese: [named("\x91\x4f\x95\xd0", "ANSI_932"), "\u524d\u7247"],
     };
+    const encodings = { gbk: "GBK", marked: "UTF-16 (little-endian)", western: "Windows-1252", big5: "Big5", japanese: "Shift JIS" };
     for (const [name, [bytes, expected]] of Object.entries(cases)) {
       await page.ask(`(() => {
         const transfer = new DataTransfer();
@@ -72,6 +73,10 @@ test("names in files are read as the command line reads them", () =>
         dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
       })()`);
       await page.until(`document.querySelector("#toast").textContent.startsWith("${name}.dxf: ")`);
+      const message = await page.text("#toast");
+      if (encodings[name]) assert.match(message, /notes, the first: /);
+      if (encodings[name]) assert.ok(message.includes(`texts are read as ${encodings[name]}`), message);
+      else if (name === "plain") assert.ok(!message.includes("read as"), message);
       const { marker } = await shown(page, port);
       assert.ok(marker.shapes.some(({ id, attributes }) => `${id} ${attributes?.name}`.includes(expected)), `${name}: ${marker.shapes.map(({ id }) => id)}`);
     }
@@ -90,6 +95,45 @@ for (const locked of [false, true]) {
     assert.deepEqual(await names(), ["jeans_02g"]);
     await daemon.stop();
   });
+}
+
+test("a page to which the user returns is connected again", () =>
+  story(here, async (page, port) => {
+    await page.send("Page.navigate", { url: "about:blank" });
+    await page.until(`location.href === "about:blank"`);
+    await page.ask("history.back()");
+    await page.until(`document.querySelector("#status")?.dataset.state === "open" && !!selvageRoom.view()`);
+    const { markerId } = await shown(page, port);
+    await call(port, "motion.compact", { markerId });
+    await page.until("selvageRoom.revision() >= 2");
+  }));
+
+test("a page that crashes during a search leaves no copy behind", () =>
+  story(here, async (page, port) => {
+    await page.press("Fine");
+    await becomes(2, port);
+    void page.send("Page.crash").catch(() => {});
+    await becomes(1, port);
+    assert.deepEqual((await markersOf(port)).map(({ name }) => name), ["jeans_02g"]);
+  }));
+
+test("a search goes on with a new copy after the daemon was started again", async () => {
+  const first = await startDaemon();
+  const page = await visit(here.browser, first.port);
+  await page.press("Nest");
+  await becomes(2, first.port);
+  await first.stop("SIGKILL");
+  const second = await startDaemon({ port: first.port });
+  await page.until(`document.querySelector("#toast").textContent.includes("opened again")`);
+  await becomes(2, second.port);
+  const names = (await markersOf(second.port)).map(({ name }) => name).sort();
+  assert.deepEqual(names, ["jeans_02g", "jeans_02g (search)"]);
+  await second.stop();
+});
+
+async function becomes(count, port) {
+  for (const end = Date.now() + 30_000; (await markersOf(port)).length !== count && Date.now() < end; ) await new Promise((resolve) => setTimeout(resolve, 20));
+  assert.equal((await markersOf(port)).length, count);
 }
 
 // The open markers, asked with the token if the daemon is locked.

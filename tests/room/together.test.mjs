@@ -167,6 +167,31 @@ test("another marker that has the same id after a restart is not taken for the p
   await second.stop();
 });
 
+test("kept results fit only the marker that they were made of, also after a restart that gives its id to another one", async () => {
+  const first = await startDaemon();
+  const page = await visit(here.browser, first.port);
+  const { markerId } = await shown(page, first.port);
+  const keep = async (cards) => {
+    await page.key("k");
+    await page.until(`document.querySelectorAll("#beside .card").length === ${cards}`);
+  };
+  const fitting = () => page.ask(`[...document.querySelectorAll("#beside button")].filter((one) => one.textContent === "Apply").map((one) => !one.disabled)`);
+  await keep(2); // with the card of the marker as it was opened
+  const other = await call(first.port, "marker.open", { marker: squares(5) });
+  await page.ask(`void (location.hash = "${other.markerId}")`);
+  await page.until(`selvageRoom.view().markerId === "${other.markerId}"`);
+  await keep(3);
+  assert.deepEqual(await fitting(), [false, true]);
+  await first.stop("SIGKILL");
+  await page.until(`document.querySelector("#status").dataset.state === "lost"`);
+  const second = await startDaemon({ port: first.port });
+  await page.until(`document.querySelector("#toast").textContent.includes("opened again")`);
+  assert.equal((await shown(page, second.port)).markerId, markerId);
+  await page.ask("selvageRoom.view()");
+  assert.deepEqual(await fitting(), [false, true]);
+  await second.stop();
+});
+
 test("a piece that one user drags is marked at its position for all others until it is released", () =>
   story(here, async (page, port) => {
     const { markerId } = await shown(page, port);

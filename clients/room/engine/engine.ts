@@ -64,7 +64,7 @@ export class Engine {
   // When another marker is shown, the result waits beside it: it can be taken only by the marker that it was made of.
   private putAside(): void {
     const result = this.preview.value;
-    if (!result || result.markerId === this.desk.markerId) return;
+    if (!result || result.markerKey === this.desk.markerKey) return;
     this.beside.value = [...this.beside.value, result];
     this.preview.value = undefined;
   }
@@ -72,7 +72,7 @@ export class Engine {
   private showPreview(result: Result | undefined): void {
     const marker = this.scene.marker;
     if (!marker || this.scene.dragged.size > 0) return;
-    const fits = result && result.markerId === this.desk.markerId;
+    const fits = result && result.markerKey === this.desk.markerKey;
     this.scene.length = fits ? result.length : this.desk.figures.value.length;
     this.scene.newcomers = fits ? newcomers(marker, result.poses) : [];
     this.scene.showPoses(fits ? differences(marker, result.poses) : new Map<string, Pose>(), true);
@@ -95,7 +95,7 @@ export class Engine {
     await this.withRun(title, async (run, signal, since) => {
       const client = await this.desk.link.ready();
       const start = this.desk.marker.value!.poses();
-      const { markerId } = this.desk;
+      const { markerId, markerKey } = this.desk;
       const params = { ...choice, markerId, baseRev: this.desk.figures.value.revision, commit: false } as Params<M>;
       const call = client.start(method, params, { signal });
       for await (const { round, length } of call.progress) this.round(run, round, length, since);
@@ -104,7 +104,7 @@ export class Engine {
       if (why !== undefined) return this.showMessage(why);
       const answer = result as unknown as MotionAnswer;
       if (answer.placements.length === 0) return this.showMessage(say("noGain", { what: title }));
-      this.offer(title, markerId, answer, posesAfter(start, answer.placements), since);
+      this.offer(title, markerKey, answer, posesAfter(start, answer.placements), since);
     });
   }
 
@@ -123,7 +123,7 @@ export class Engine {
       const client = await this.desk.link.ready();
       const marker = this.desk.marker.value!;
       const start = marker.poses();
-      const { markerId } = this.desk;
+      const { markerKey } = this.desk;
       const { revision, length } = this.desk.figures.value;
       let found = false;
       const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all pieces has priority
@@ -133,7 +133,7 @@ export class Engine {
         better: (answer, placements) => {
           found = true;
           if (this.preview.value && this.preview.value.title !== title) return; // the user is looking at another result
-          this.offer(title, markerId, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
+          this.offer(title, markerKey, { ...answer, revision, lengthBefore: length, placements }, posesAfter(start, placements), since);
         },
       }, this.desk.link.alone ? "page" : "daemon");
       if (!found) this.showMessage(say("noGain", { what: title }));
@@ -173,12 +173,12 @@ export class Engine {
     this.run.announce();
   }
 
-  // Shows a result of the marker `markerId`; if another one is shown by now, it replaces the run's last result beside it.
-  private offer(title: string, markerId: string, answer: MotionAnswer, poses: Map<string, Pose>, since: number): void {
+  // Shows a result of the marker `markerKey`; if another one is shown by now, it replaces the run's last result beside it.
+  private offer(title: string, markerKey: string, answer: MotionAnswer, poses: Map<string, Pose>, since: number): void {
     const result: Result = {
       id: ++this.results,
       title,
-      markerId,
+      markerKey,
       base: answer.revision,
       before: answer.lengthBefore,
       length: answer.lengthAfter,
@@ -186,14 +186,14 @@ export class Engine {
       seconds: (performance.now() - since) / 1000,
       poses,
     };
-    if (markerId === this.desk.markerId) this.preview.value = result;
-    else this.beside.value = [...this.beside.value.filter((kept) => kept.title !== title || kept.markerId !== markerId), result];
+    if (markerKey === this.desk.markerKey) this.preview.value = result;
+    else this.beside.value = [...this.beside.value.filter((kept) => kept.title !== title || kept.markerKey !== markerKey), result];
   }
 
   /** Moves all pieces to their places in the result, which one undo takes back. */
   async take(result = this.preview.value): Promise<void> {
     const marker = this.desk.marker.value;
-    if (!result || !marker || result.markerId !== this.desk.markerId) return;
+    if (!result || !marker || !this.desk.markerId || result.markerKey !== this.desk.markerKey) return;
     const ops = editsTo(marker, result.poses);
     try {
       if (ops.length > 0) await this.desk.apply(ops);
@@ -219,7 +219,7 @@ export class Engine {
     if (!marker) return undefined;
     const { revision, length, utilisation } = this.desk.figures.value;
     const title = say("revisionIs", { revision });
-    return { id: ++this.results, title, markerId: this.desk.markerId, base: revision, before: length, length, utilisation, seconds: undefined, poses: marker.poses() };
+    return { id: ++this.results, title, markerKey: this.desk.markerKey, base: revision, before: length, length, utilisation, seconds: undefined, poses: marker.poses() };
   }
 
   drop(result = this.preview.value): void {

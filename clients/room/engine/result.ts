@@ -7,7 +7,7 @@ import type { Ghost } from "../view/scene";
 export interface Result {
   readonly id: number;
   readonly title: string;
-  readonly markerId: string;
+  readonly markerKey: string; // of the marker that it was made of
   readonly base: number; // the revision that it was computed from
   readonly before: number; // the length of that revision
   readonly length: number;

@@ -1,6 +1,7 @@
-import type { Answer, Client } from "../../typescript/src/index";
+import { Code, type Answer, type Client } from "../../typescript/src/index";
 import type { MarkerDocument } from "../marker/document";
 import type { Copies } from "../session/copies";
+import { hasCode } from "../session/messages";
 
 const FIRST = 1500; // time limit of the first call in milliseconds
 const PATIENCE = 45_000; // a search ends after this many milliseconds without an improvement
@@ -24,26 +25,37 @@ export interface SearchListener {
 /**
  * A search that reports its best marker while it runs and can be stopped at any time. It works on a copy of the marker with a
  * series of calls that have a time limit; after each call the copy is the best marker found. A call without an improvement is
- * followed by one of up to twice its time limit. `best` is the length that a result has to beat.
+ * followed by one of up to twice its time limit. A copy that was lost with its connection is made anew from the best marker.
+ * `best` is the length that a result has to beat.
  */
 export async function search(wanted: Search, client: Client, copies: Copies, document: MarkerDocument, best: number, signal: AbortSignal, listener: SearchListener, where: keyof typeof LONGEST): Promise<void> {
-  const copy = { ...document, name: `${document.name ?? ""} (search)` } as unknown as Record<string, unknown>;
-  const markerId = await copies.make(client, copy);
+  let copied: MarkerDocument = { ...document, name: `${document.name ?? ""} (search)` };
+  let latest = copied;
+  let markerId = await copies.make(client, asParameter(copied));
   try {
     let rounds = 0;
     let number = 0;
     let inVain = 0;
-    for (let turn = FIRST; inVain < PATIENCE && !signal.aborted && copies.has(markerId, client) && listener.goesOn(); ) {
+    for (let turn = FIRST; inVain < PATIENCE && !signal.aborted && listener.goesOn(); ) {
+      if (!copies.has(markerId)) markerId = await copies.make(client, asParameter((copied = latest)));
       const run = startTurn(wanted, client, markerId, Math.round(turn), ++number, signal);
       let last = 0;
       for await (const { round, length } of run.progress) listener.round(rounds + (last = round), length);
       rounds += last;
-      const answer: Answered & { placed?: number } = await run.result;
-      const shorter = best - answer.lengthAfter > 1e-6 * answer.lengthAfter;
-      const gained = shorter || (wanted.kind === "fillGaps" && (answer.placed ?? 0) > 0);
+      let answer: Answered & { placed?: number };
+      let gained: boolean;
+      try {
+        answer = await run.result;
+        const shorter = best - answer.lengthAfter > 1e-6 * answer.lengthAfter;
+        gained = shorter || (wanted.kind === "fillGaps" && (answer.placed ?? 0) > 0);
+        if (gained) latest = await documentOf(client, markerId, copied);
+      } catch (error) {
+        if (await wasLost(error, () => copies.has(markerId))) continue;
+        throw error;
+      }
       if (gained) {
         best = Math.min(best, answer.lengthAfter);
-        listener.better(answer, await placementsOf(client, markerId));
+        listener.better(answer, placementsIn(latest));
       }
       if (answer.stop === "converged" || (wanted.kind === "fine" && answer.stop !== "deadline")) return;
       inVain = gained ? 0 : inVain + turn;
@@ -69,9 +81,22 @@ function startTurn(wanted: Search, client: Client, markerId: string, deadlineMs:
   }
 }
 
-// The placements of all pieces that have moved since the copy was opened.
-async function placementsOf(client: Client, markerId: string): Promise<Placements> {
-  const { placements, marker } = await client.call("marker.get", { markerId, since: 1 });
-  if (placements) return placements;
-  return (marker as unknown as MarkerDocument).pieces.map(({ id, at, rotation = 0, flip = false, tilt = 0 }) => ({ id: String(id), at, rotation, flip, tilt }));
+// Whether the copy is unknown because its connection was lost, which the page may learn a moment later.
+async function wasLost(error: unknown, has: () => boolean): Promise<boolean> {
+  if (!hasCode(error, Code.UnknownMarker)) return false;
+  await new Promise((resolve) => setTimeout(resolve));
+  return !has();
 }
+
+// The copy as it is now; `copied` is what it was when it was opened.
+async function documentOf(client: Client, markerId: string, copied: MarkerDocument): Promise<MarkerDocument> {
+  const { placements, marker } = await client.call("marker.get", { markerId, since: 1 });
+  if (!placements) return marker as unknown as MarkerDocument;
+  const byId = new Map(placements.map(({ id, at, rotation, flip, tilt }) => [id, { at, rotation, flip, tilt }]));
+  return { ...copied, pieces: copied.pieces.map((piece) => ({ ...piece, ...byId.get(String(piece.id)) })) };
+}
+
+const placementsIn = (document: MarkerDocument): Placements =>
+  document.pieces.map(({ id, at, rotation = 0, flip = false, tilt = 0 }) => ({ id: String(id), at, rotation, flip, tilt }));
+
+const asParameter = (document: MarkerDocument) => document as unknown as Record<string, unknown>;

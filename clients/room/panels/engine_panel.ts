@@ -105,9 +105,9 @@ function drawBeside(host: HTMLElement, desk: Desk, engine: Engine): void {
   };
   const opening = desk.opening?.figures;
   const cards = engine.beside.value.map((result) => {
-    const stale = result.markerId === desk.markerId && result.base !== desk.figures.value.revision;
+    const stale = result.markerKey === desk.markerKey && result.base !== desk.figures.value.revision;
     const take = textButton("take", () => void engine.take(result));
-    take.disabled = result.markerId !== desk.markerId;
+    take.disabled = result.markerKey !== desk.markerKey;
     return h(
       "div",
       { class: "card" },

@@ -32,9 +32,15 @@ export class Desk {
   /** The pieces of this marker that others drag now. */
   readonly draggedByOthers = new Signal<Notifications["marker.dragged"]["pieces"]>([]);
   markerId = "";
+  /**
+   * Names the shown marker for as long as this page is open: unlike its id, it names no other marker in another instance of the
+   * daemon, and it stays when this page opens a lost marker again.
+   */
+  markerKey = "";
   /** The figures and the poses when the marker was opened here. */
   opening: { figures: Figures; poses: Map<string, Pose> } | undefined;
   private instance: string | undefined; // of the daemon when the marker was shown: in another one the id is not this marker's
+  private readonly keys = new Map<string, string>(); // of markers that this page opened again, by instance and id
   private listening: Client | undefined;
   private documentOf = ""; // the marker whose document has been read
   private latestReported = 0; // the latest revision that an answer or a notification reported for this marker
@@ -68,6 +74,7 @@ export class Desk {
     if (this.markerId && this.markerId !== markerId) void client.call("marker.unwatch", { markerId: this.markerId }).catch(() => {});
     this.markerId = markerId;
     this.instance = client.instance;
+    this.markerKey = this.keyOf(client, markerId);
     this.documentOf = "";
     this.latestReported = 0;
     this.draggedByOthers.value = [];
@@ -125,10 +132,16 @@ export class Desk {
 
   private async reopen(client: Client, kept: Marker): Promise<void> {
     const opened = await client.call("marker.open", { marker: kept.toDocument() as unknown as Record<string, unknown> });
-    const { opening } = this;
+    const { opening, markerKey } = this;
+    this.keys.set(`${client.instance} ${opened.markerId}`, markerKey);
     await this.show(opened.markerId);
     this.opening = opening;
     this.changed.value = { before: new Map(), by: "reopened", mine: true };
+  }
+
+  private keyOf(client: Client, markerId: string): string {
+    const place = `${client.instance} ${markerId}`;
+    return this.keys.get(place) ?? place;
   }
 
   private async refresh(client: Client, by = "refreshed", mine = true): Promise<void> {

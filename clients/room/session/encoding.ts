@@ -10,14 +10,36 @@ type Test = (pair: Pair) => boolean;
 
 const within = (value: number, first: number, last: number) => value >= first && value <= last;
 
+/** A file's text, and the name of its encoding if that was guessed or stated, as the command line notes it. */
+export interface Decoded {
+  text: string;
+  readAs?: string;
+}
+
 /** Throws for UTF-32, which the command line does not read either. */
-export function decode(buffer: ArrayBuffer): string {
+export function decode(buffer: ArrayBuffer): Decoded {
   const bytes = new Uint8Array(buffer);
   const begins = (...mark: number[]) => mark.every((byte, k) => bytes[k] === byte);
   if (begins(0xff, 0xfe, 0, 0) || begins(0, 0, 0xfe, 0xff)) throw new Error("UTF-32 is not read; save the file as UTF-8 or UTF-16");
   const label = begins(0xff, 0xfe) || beginsInAscii(bytes, 0) ? "utf-16le" : begins(0xfe, 0xff) || beginsInAscii(bytes, 1) ? "utf-16be" : encodingOf(bytes);
-  return new TextDecoder(label).decode(bytes);
+  const text = new TextDecoder(label).decode(bytes);
+  const readAs = NAMES[label];
+  return readAs === undefined ? { text } : { text, readAs };
 }
+
+// As name_of in protocol/trade/text.h, and kKnown in protocol/trade/unicode/utf8_text.cpp.
+const NAMES: Record<string, string> = {
+  "utf-16le": "UTF-16 (little-endian)",
+  "utf-16be": "UTF-16 (big-endian)",
+  gbk: "GBK",
+  big5: "Big5",
+  "windows-1252": "Windows-1252",
+  "windows-1250": "Windows-1250",
+  "windows-1251": "Windows-1251",
+  "windows-1254": "Windows-1254",
+  shift_jis: "Shift JIS",
+  "euc-kr": "Korean (949)",
+};
 
 // Whether the first four units of two bytes are ASCII characters, with the character's own byte first (0) or second (1).
 function beginsInAscii(bytes: Uint8Array, low: 0 | 1): boolean {

@@ -1,5 +1,6 @@
 import type { MarkerDocument } from "../marker/document";
-import { decode } from "./encoding";
+import { say } from "../texts/texts";
+import { decode, type Decoded } from "./encoding";
 
 /** A file to open: a marker document or the text of a trade file; for a pattern also its rule table and an order for it. */
 export interface Opened {
@@ -7,6 +8,8 @@ export interface Opened {
   marker: Record<string, unknown> | string;
   rules?: string;
   order?: string;
+  /** What the user should know about how these files were read. */
+  notes: string[];
 }
 
 /**
@@ -16,22 +19,32 @@ export interface Opened {
 export async function readFiles(files: readonly File[]): Promise<Opened[]> {
   const ending = (file: File, name: string) => file.name.toLowerCase().endsWith(name);
   const besides = files.length > 1 ? { rules: files.find((file) => ending(file, ".rul")), order: files.find((file) => ending(file, ".csv")) } : {};
-  const rules = besides.rules && { rules: await textOf(besides.rules) };
-  const order = besides.order && { order: await textOf(besides.order) };
+  const [readRules, readOrder] = await Promise.all([besides.rules && decodedOf(besides.rules), besides.order && decodedOf(besides.order)]);
+  const texts = { ...(readRules && { rules: readRules.text }), ...(readOrder && { order: readOrder.text }) };
+  const notesBeside = [...encodingNotes(readRules, besides.rules), ...encodingNotes(readOrder, besides.order)];
   const opened = files.filter((file) => file !== besides.rules && file !== besides.order);
   return Promise.all(
     opened.map(async (file): Promise<Opened> => {
-      const text = await textOf(file);
-      if (!ending(file, ".json") && !text.trimStart().startsWith("{")) return { name: file.name, marker: text, ...rules, ...order };
+      const decoded = await decodedOf(file);
+      const { text } = decoded;
+      const notes = encodingNotes(decoded);
+      if (!ending(file, ".json") && !text.trimStart().startsWith("{")) return { name: file.name, marker: text, ...texts, notes: [...notes, ...notesBeside] };
       const document: unknown = JSON.parse(text);
       if (typeof document !== "object" || document === null || Array.isArray(document)) throw new Error(`${file.name}: not a marker`);
-      return { name: file.name, marker: document as Record<string, unknown> };
+      return { name: file.name, marker: document as Record<string, unknown>, notes };
     }),
   );
 }
 
-async function textOf(file: File): Promise<string> {
+async function decodedOf(file: File): Promise<Decoded> {
   return decode(await file.arrayBuffer());
+}
+
+// The note that the command line makes; `beside` is a file that was read for another one.
+function encodingNotes(decoded: Decoded | undefined, beside?: File): string[] {
+  if (decoded?.readAs === undefined) return [];
+  const note = say("readAs", { encoding: decoded.readAs });
+  return [beside ? `${beside.name}: ${note}` : note];
 }
 
 /** Lets the user choose files. */

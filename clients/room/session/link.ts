@@ -27,6 +27,16 @@ export class Link {
   private opening: Promise<Client> | undefined;
   private answerToken: (token: string) => void = () => {};
 
+  constructor() {
+    if (this.alone) return;
+    // A page that is left may be kept by the browser for a return, with its connection.
+    addEventListener("pagehide", () => {
+      this.client?.close();
+      this.client = undefined;
+    });
+    addEventListener("pageshow", ({ persisted }) => persisted && void this.ready());
+  }
+
   /** The client; waits until the daemon can be reached. */
   ready(): Promise<Client> {
     return this.client ? Promise.resolve(this.client) : (this.opening ??= this.open());
@@ -36,15 +46,6 @@ export class Link {
   giveToken(token: string): void {
     sessionStorage.setItem(TOKEN, token);
     this.answerToken(token);
-  }
-
-  /** Sends calls while the page goes, when nobody waits for their answers any more. */
-  sendLast(calls: ReadonlyArray<{ method: string; params: object }>): void {
-    if (this.alone || calls.length === 0) return;
-    const token = sessionStorage.getItem(TOKEN);
-    const headers = { "Content-Type": "application/json", ...(token === null ? {} : { Authorization: `Bearer ${token}` }) };
-    const body = JSON.stringify(calls.map((call) => ({ jsonrpc: "2.0", ...call })));
-    void fetch("/rpc", { method: "POST", keepalive: true, headers, body }).catch(() => {});
   }
 
   private async open(): Promise<Client> {

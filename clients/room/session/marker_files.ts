@@ -60,11 +60,12 @@ export class MarkerFiles {
 
   private async openAll(files: File[]): Promise<void> {
     await this.trying(async () => {
-      for (const { name, marker, ...besides } of await readFiles(files)) {
+      for (const { name, marker, notes: ofFiles, ...besides } of await readFiles(files)) {
         const { pieces, unplaced = 0, notes } = await this.desk.open(marker, besides);
-        const [first] = notes;
-        const values = { name, pieces: pieces + unplaced, count: notes.length, note: first?.text ?? "" };
-        this.showMessage(say(first ? "openedNotes" : "opened", values));
+        const all = [...ofFiles, ...notes.map(({ text }) => text)];
+        const [first] = all;
+        const values = { name, pieces: pieces + unplaced, count: all.length, note: first ?? "" };
+        this.showMessage(say(first === undefined ? "opened" : "openedNotes", values));
       }
     });
   }
@@ -87,18 +88,21 @@ export class MarkerFiles {
   saveAs = (format: keyof typeof WRITTEN): void =>
     void this.trying(async () => {
       const { ending, type } = WRITTEN[format];
-      saveText(fileName(this.desk.marker.value?.name ?? "", ending), await this.written(format), type);
+      const name = fileName(this.desk.marker.value?.name ?? "", ending);
+      const { marker, notes = [] } = await this.written(format);
+      saveText(name, String(marker), type);
+      const [first] = notes;
+      if (first) this.showMessage(say("savedNotes", { name, count: notes.length, note: first.text }));
     });
 
-  private async written(format: keyof typeof WRITTEN): Promise<string> {
+  private async written(format: keyof typeof WRITTEN) {
     const client = await this.desk.link.ready();
-    const { marker } = await client.call("marker.get", { markerId: this.desk.markerId, format });
-    return String(marker);
+    return client.call("marker.get", { markerId: this.desk.markerId, format });
   }
 
   print = (): void =>
     void this.trying(async () => {
-      const url = URL.createObjectURL(new Blob([await this.written("svg")], { type: "image/svg+xml" }));
+      const url = URL.createObjectURL(new Blob([String((await this.written("svg")).marker)], { type: "image/svg+xml" }));
       const picture = document.createElement("img");
       picture.id = "print";
       picture.alt = this.desk.marker.value?.name ?? "";

@@ -231,6 +231,8 @@ export const english = {
   refusedDrop: "This cannot be done: {why}",
   opened: "{name}: {pieces} pieces opened.",
   openedNotes: "{name}: {pieces} pieces opened; {count} notes, the first: {note}",
+  readAs: "texts are read as {encoding}",
+  savedNotes: "{name}: saved; {count} notes, the first: {note}",
   announce: "Length {length}, utilisation {utilisation}.",
   errorConnection: "The connection was lost before the answer arrived.",
   errorNothingToUndo: "There is nothing left to undo or redo.",

@@ -225,6 +225,8 @@ export const german: Texts = {
   refusedDrop: "Das geht nicht: {why}",
   opened: "{name}: {pieces} Teile geöffnet.",
   openedNotes: "{name}: {pieces} Teile geöffnet; {count} Hinweise, der erste: {note}",
+  readAs: "Texte werden als {encoding} gelesen",
+  savedNotes: "{name}: gespeichert; {count} Hinweise, der erste: {note}",
   announce: "Länge {length}, Ausnutzung {utilisation}.",
   errorConnection: "Die Verbindung brach ab, bevor die Antwort kam.",
   errorNothingToUndo: "Es gibt nichts mehr rückgängig zu machen oder zu wiederholen.",

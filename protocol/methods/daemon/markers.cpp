@@ -96,6 +96,7 @@ struct OpenFields {
   SourceView marker;
   std::optional<double> spacing, overlap;
   std::optional<std::string> op_id;
+  bool close_with_connection{};
   ReadingFields reading;
   edits::Cloth cloth;
 
@@ -106,6 +107,8 @@ struct OpenFields {
     v.optional("overlap", self.overlap, "Overrides the document's overlap allowance.");
     v.part(self.reading);
     v.part(self.cloth);
+    v.optional("closeWithConnection", self.close_with_connection,
+               "True: the marker is closed when the connection that opens it ends. Not over plain HTTP.");
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
   }
 };
@@ -141,7 +144,7 @@ Result<OpenParams> decode_open(const Json& params) {
   if (!file) return file.error();
   file = edits::with_cloth(*std::move(file), fields->cloth);
   if (!file) return into_parameters(file.error(), fields->cloth);
-  return OpenParams{*std::move(file), std::move(fields->op_id)};
+  return OpenParams{*std::move(file), std::move(fields->op_id), fields->close_with_connection};
 }
 
 OpenResult opened(const std::string& marker_id, Revision revision, const MarkerFile& file) {

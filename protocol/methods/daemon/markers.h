@@ -14,6 +14,7 @@ namespace selvage::protocol::methods::daemon {
 struct OpenParams {
   MarkerFile file;  // with the spacing and overlap allowance applied; notes point into the parameters
   std::optional<std::string> op_id;
+  bool close_with_connection{};
 };
 // Errors: 10xx, 11xx and 12xx, `field` pointing into the parameters ("/marker/shapes/0/outline").
 [[nodiscard]] Result<OpenParams> decode_open(const Json& params);

@@ -1,6 +1,7 @@
 #include "protocol/methods/readings/get.h"
 
 #include "protocol/calls/piece_state.h"
+#include "protocol/files/losses.h"
 #include "protocol/files/writing.h"
 #include "protocol/methods/readings/reading.h"
 #include "protocol/schema/documents.h"
@@ -13,6 +14,7 @@ struct GetResult {
   std::optional<schema::AnyDocument> marker;
   std::optional<Revision> since;
   std::optional<std::vector<calls::PieceState>> placements;
+  std::optional<std::vector<calls::Note>> notes;
 
   static void describe(auto& v, auto& self) {
     v.optional("format", self.format, "The format of the document.");
@@ -21,6 +23,7 @@ struct GetResult {
                "returned.");
     v.optional("since", self.since, "The revision that was given as since.");
     v.optional("placements", self.placements, "The pieces that changed after it.");
+    v.optional("notes", self.notes, "What the document loses in its format; absent when it loses nothing.");
   }
 };
 
@@ -30,10 +33,15 @@ Result<GetResult> run_get(const GetParams& params, const MarkerFile& file, const
   GetResult result;
   result.format = params.format;
   result.marker = schema::AnyDocument{*std::move(document)};
+  if (auto lost = notes_on_losses(file, params.format); !lost.empty()) result.notes = std::move(lost);
   return result;
 }
 
 }  // namespace
+
+std::vector<calls::Note> notes_on_losses(const MarkerFile& file, files::FileFormat format) {
+  return calls::notes_of(files::losses(file, format));
+}
 
 calls::Method get_method() {
   return reading_method("marker.get", calls::MethodKind::kRead, "Returns a marker as a document.", run_get);

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "protocol/calls/method.h"
+#include "protocol/calls/results.h"
 #include "protocol/files/file_format.h"
 
 namespace selvage::protocol::methods::readings {
@@ -22,5 +24,8 @@ struct GetParams {
     v.optional("format", self.format, "The format of the document; native when absent.");
   }
 };
+
+// What the marker loses when it is written in the format.
+[[nodiscard]] std::vector<calls::Note> notes_on_losses(const MarkerFile& file, files::FileFormat format);
 
 }  // namespace selvage::protocol::methods::readings

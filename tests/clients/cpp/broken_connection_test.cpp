@@ -1,57 +1,18 @@
-// Connections that break at the worst moment.  The server is a part of the test and sends only the answers that the
-// test chooses.
+// Connections that break at the worst moment.
 #include <gtest/gtest.h>
-#include <boost/asio/buffer.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/read_until.hpp>
-#include <boost/asio/write.hpp>
 
 #include <atomic>
 #include <chrono>
 #include <future>
 #include <optional>
 
-#include "tests/clients/cpp/live_daemon.h"
+#include "tests/clients/cpp/staged_daemon.h"
 
 namespace selvage::test {
 namespace {
 
-namespace asio = boost::asio;
-using asio::ip::tcp;
-
-class StagedServer {
- public:
-  [[nodiscard]] std::string address() const { return "127.0.0.1:" + std::to_string(acceptor_.local_endpoint().port()); }
-  void accept() {
-    received_.clear();
-    socket_.emplace(acceptor_.accept());
-  }
-  Json receive() {
-    const std::size_t size = asio::read_until(*socket_, asio::dynamic_buffer(received_), '\n');
-    Json message = Json::parse(received_.substr(0, size));
-    received_.erase(0, size);
-    return message;
-  }
-  void answer(const Json& id, const Json& result) { send({{"jsonrpc", "2.0"}, {"id", id}, {"result", result}}); }
-  void refuse(const Json& id) {
-    const Json error{{"code", CallCode::kBusy}, {"message", "the server is loading its markers"}};
-    send({{"jsonrpc", "2.0"}, {"id", id}, {"error", error}});
-  }
-  void disconnect() { socket_.reset(); }
-  void stop_listening() { acceptor_.close(); }
-
- private:
-  void send(const Json& message) { asio::write(*socket_, asio::buffer(message.dump() + "\n")); }
-
-  asio::io_context io_;
-  tcp::acceptor acceptor_{io_, {asio::ip::address_v4::loopback(), 0}};
-  std::optional<tcp::socket> socket_;
-  std::string received_;
-};
-
 TEST(BrokenConnection, AChangeIsSentAgainWithTheSameOpId) {
-  StagedServer server;
+  StagedDaemon server;
   Client client{server.address()};
   Call call = client.begin("motion.compact", {{"markerId", "m1"}});
   server.accept();
@@ -68,7 +29,7 @@ TEST(BrokenConnection, AChangeIsSentAgainWithTheSameOpId) {
 }
 
 TEST(BrokenConnection, KeepsTheOpIdOfTheCaller) {
-  StagedServer server;
+  StagedDaemon server;
   Client client{server.address()};
   Call call = client.begin("marker.undo", {{"markerId", "m1"}, {"opId", "mine"}});
   server.accept();
@@ -78,7 +39,7 @@ TEST(BrokenConnection, KeepsTheOpIdOfTheCaller) {
 }
 
 TEST(BrokenConnection, ACallThatMustNotBeRepeatedIsNotSentAgain) {
-  StagedServer server;
+  StagedDaemon server;
   Client client{server.address()};
   Call drag = client.begin("drag.move", {{"dragId", "d1"}});
   Call info = client.begin("engine.info");
@@ -97,7 +58,7 @@ TEST(BrokenConnection, ACallThatMustNotBeRepeatedIsNotSentAgain) {
 }
 
 // The client watches m7, and then connects again.
-void watch_and_reconnect(StagedServer& server, Client& client) {
+void watch_and_reconnect(StagedDaemon& server, Client& client) {
   Call watch = client.begin("marker.watch", {{"markerId", "m7"}});
   server.accept();
   server.answer(server.receive()["id"], {{"watching", true}});
@@ -107,7 +68,7 @@ void watch_and_reconnect(StagedServer& server, Client& client) {
 }
 
 TEST(BrokenConnection, WatchesAreRestored) {
-  StagedServer server;
+  StagedDaemon server;
   Client client{server.address()};
   ASSERT_NO_FATAL_FAILURE(watch_and_reconnect(server, client));
   const Json again = server.receive();
@@ -118,7 +79,7 @@ TEST(BrokenConnection, WatchesAreRestored) {
 // Once the connection is reported as restored, the caller reads the marker again.  A change between that and the watch
 // would be missed.
 TEST(BrokenConnection, IsReportedAsRestoredOnceALoadingDaemonAcceptsTheWatches) {
-  StagedServer server;
+  StagedDaemon server;
   std::atomic<bool> reported{};
   std::promise<void> restored;
   Handlers handlers;
@@ -137,7 +98,7 @@ TEST(BrokenConnection, IsReportedAsRestoredOnceALoadingDaemonAcceptsTheWatches) 
 }
 
 TEST(BrokenConnection, ACallThatALoadingDaemonRefusesIsSentAgain) {
-  StagedServer server;
+  StagedDaemon server;
   Client client{server.address()};
   Call call = client.begin("motion.compact", {{"markerId", "m1"}});
   server.accept();
@@ -151,8 +112,34 @@ TEST(BrokenConnection, ACallThatALoadingDaemonRefusesIsSentAgain) {
   EXPECT_TRUE(call.answer.get());
 }
 
+TEST(BrokenConnection, ALoadingDaemonIsAskedForItsInstanceAgain) {
+  StagedDaemon server;
+  Client client{server.address(), {.connect_for = std::chrono::seconds{30}}};
+  Call call = client.begin("motion.compact", {{"markerId", "m1"}});
+  server.accept_only();
+  server.refuse(server.receive()["id"]);
+  const Json again = server.receive();
+  EXPECT_EQ(again["method"], "engine.info");
+  server.answer(again["id"], {{"instance", "first"}});
+  EXPECT_EQ(server.receive()["method"], "motion.compact");
+}
+
+TEST(BrokenConnection, ACallIsAnsweredIfADaemonThatIsStillLoadingDoesNotTellItsInstance) {
+  StagedDaemon server;
+  Client client{server.address()};
+  Call call = client.begin("marker.list");
+  server.accept_only();
+  server.refuse(server.receive()["id"]);
+  const Answer refused = call.answer.get();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, CallCode::kBusy);
+  Call next = client.begin("marker.list");
+  server.answer(server.receive()["id"], {{"instance", "first"}});
+  EXPECT_EQ(server.receive()["method"], "marker.list");
+}
+
 TEST(BrokenConnection, ABusyDaemonsRefusalIsReturnedOnAFirstConnection) {
-  StagedServer server;
+  StagedDaemon server;
   Client client{server.address()};
   Call call = client.begin("engine.info");
   server.accept();
@@ -163,7 +150,7 @@ TEST(BrokenConnection, ABusyDaemonsRefusalIsReturnedOnAFirstConnection) {
 }
 
 TEST(BrokenConnection, GivesUpAfterTheTimeLimit) {
-  StagedServer server;
+  StagedDaemon server;
   std::promise<CallError> lost;
   Client client{server.address(),
                 {.reconnect_for = std::chrono::milliseconds{50}},
@@ -180,7 +167,7 @@ TEST(BrokenConnection, GivesUpAfterTheTimeLimit) {
 }
 
 TEST(BrokenConnection, DestroyingTheClientAnswersOpenCalls) {
-  StagedServer server;
+  StagedDaemon server;
   std::optional<Client> client{std::in_place, server.address()};
   Call call = client->begin("engine.info");
   server.accept();

@@ -88,6 +88,8 @@ TEST(Client, SendsItsToken) {
   EXPECT_TRUE(authorised.call("engine.info"));
   Client unauthorised{daemon.tcp(), {.token = "sixteen characters at last"}};
   EXPECT_EQ(code_of(unauthorised.call("engine.info")), CallCode::kUnauthorised);
+  Client silent{daemon.tcp()};
+  EXPECT_EQ(code_of(silent.call("engine.info")), CallCode::kUnauthorised);
   std::filesystem::remove(token_file);
 }
 

@@ -12,6 +12,7 @@
 #include <functional>
 #include <future>
 #include <latch>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <utility>
@@ -238,9 +239,9 @@ void wake_up_in_time_until_ordinary() {
 }
 
 // On a thread that is not a prompt one.
-void be_late_elsewhere(int times) {
-  std::jthread{[times] {
-    for (int i = 0; i < times; ++i) woke_up_after(Lateness::kLate);
+void be_late_elsewhere(int times, bool (*are_short)() = processors_are_short) {
+  std::jthread{[times, are_short] {
+    for (int i = 0; i < times; ++i) woke_up_after(Lateness::kLate, are_short);
   }}.join();
 }
 
@@ -267,18 +268,25 @@ TEST_F(InRealTime, NotWhenThreadsAreLateWithProcessorsToSpare) {
   ASSERT_TRUE(use_real_time(RealTime::kWhenLate));
   std::jthread{[] {
     run_promptly(Promptness::kSoon);
-    // Other programs may begin to run in the middle of a try.
-    constexpr int kTries = 5;
-    int spare = 0;
-    for (int tries = 0; tries < kTries; ++tries) {
-      wake_up_in_time_until_ordinary();
-      spare += processors_are_short() ? 0 : 1;
-      be_late_elsewhere(2);
-      woke_up_after({});
-      if (real_time_priority() == 0) return;
-    }
-    EXPECT_LT(spare, kTries);
+    wake_up_in_time_until_ordinary();
+    be_late_elsewhere(2, [] { return false; });
+    woke_up_after({});
+    EXPECT_EQ(real_time_priority(), 0U);
+    be_late_elsewhere(2, [] { return true; });
+    woke_up_after({});
+    EXPECT_GT(real_time_priority(), 0U);
   }}.join();
+}
+
+TEST(ProcessorsAreShort, WhenMoreThreadsCouldRunThanThereAreProcessors) {
+  const auto with_two = [](const char* load) {
+    std::istringstream text{load};
+    return processors_are_short(text, 2);
+  };
+  EXPECT_FALSE(with_two("0.20 9.18 9.12 1/1024 27365\n"));
+  EXPECT_FALSE(with_two("5.20 9.18 9.12 2/1024 27365\n"));
+  EXPECT_TRUE(with_two("0.20 0.18 0.12 3/1024 27365\n"));
+  EXPECT_TRUE(with_two("")) << "where the kernel does not say, they might";
 }
 
 TEST_F(InRealTime, TheClockAlways) {

@@ -22,6 +22,22 @@ TEST(MarkerMethods, SinceReturnsOnlyThePiecesThatMoved) {
   EXPECT_TRUE(local.result("marker.get", "{'markerId':'m1','since':99}").contains("marker"));
 }
 
+TEST(MarkerMethods, GetNotesWhatAFormatLoses) {
+  LocalServer local;
+  const std::string unplaced = R"("unplaced":[{"id":"left","shape":"square"}])";
+  std::string marker = kSmallMarker;
+  marker.insert(marker.size() - 1, "," + unplaced);
+  ASSERT_EQ(local.ask_json(call(1, "marker.open", R"({"marker":)" + marker + "}"))["result"]["unplaced"], 1);
+  const Json lossy = local.result("marker.get", "{'markerId':'m1','format':'dxf'}");
+  ASSERT_EQ(lossy["notes"].size(), 1U);
+  EXPECT_EQ(lossy["notes"][0]["field"], "");
+  EXPECT_EQ(lossy["notes"][0]["text"], "1 unplaced piece is left out; native, sparrow and esicup files list them");
+  EXPECT_TRUE(lossy["marker"].is_string());
+  for (const std::string format : {"native", "sparrow"}) {
+    EXPECT_FALSE(local.result("marker.get", "{'markerId':'m1','format':'" + format + "'}").contains("notes")) << format;
+  }
+}
+
 TEST(MarkerMethods, ListsTheOpenMarkers) {
   LocalServer local;
   EXPECT_EQ(local.result("marker.list", "{}")["markers"].size(), 0U);

@@ -46,6 +46,14 @@ export type Locks = boolean | Array<LockedPart>;
 /** How a piece lies on cloth with a nap: the x axis of its shape points to larger x (up) or to smaller x (down). */
 export type NapDirection = "up" | "down";
 
+/** A repair made while reading, or what a format loses. */
+export type Note = {
+  /** A JSON pointer into the parameters; empty for the whole marker. */
+  field: string;
+  /** What was repaired, rounded, read differently than written or lost. */
+  text: string;
+};
+
 /** Two pieces that overlap or are too close. */
 export type Overlap = {
   /** The piece's id. */
