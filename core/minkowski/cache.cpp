@@ -54,7 +54,7 @@ StoredAs stored_as(const outline::OrientedOutline& p, const outline::OrientedOut
 using Sum = std::shared_ptr<const MinkowskiSum>;
 // Null when cancelled.
 Sum make(const Key& key, const std::stop_token& stop) {
-  auto sum = obstacle_sum(*key.p, *key.q, key.relative, stop);
+  auto sum = obstacle_sum(*key.p, *key.q, key.relative, [&] { return stop.stop_requested(); });
   return sum ? std::make_shared<const MinkowskiSum>(*std::move(sum)) : nullptr;
 }
 

@@ -38,9 +38,10 @@ struct Operand {
   std::vector<bool> convex;
 };
 
-// The sums of all pairs of parts; none when cancelled.
+// The sums of all pairs of parts; none when stopped.
 std::vector<convolution::StarSum> star_sums(std::span<const outline::StarPart> first,
-                                            std::span<const outline::StarPart> second, const std::stop_token& stop) {
+                                            std::span<const outline::StarPart> second,
+                                            const std::function<bool()>& stopped) {
   const Operand p{first};
   const Operand q{second};
   const bool merging = p.all_convex() && q.all_convex();
@@ -50,7 +51,7 @@ std::vector<convolution::StarSum> star_sums(std::span<const outline::StarPart> f
   rings.reserve(first.size() * second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     for (std::size_t j = 0; j < second.size(); ++j) {
-      if (stop.stop_requested()) return {};
+      if (stopped && stopped()) return {};
       rings.push_back(p.convex[i] && q.convex[j] ? convolution::convex_sum(first[i], second[j])
                                                  : convolution::star_sum({first[i], of_p[i]}, {second[j], of_q[j]}));
     }
@@ -62,13 +63,14 @@ std::vector<convolution::StarSum> star_sums(std::span<const outline::StarPart> f
 
 MinkowskiSum::MinkowskiSum(std::vector<convolution::StarSum> rings) : MinkowskiSum{*united(std::move(rings), {})} {}
 
-std::optional<MinkowskiSum> MinkowskiSum::united(std::vector<convolution::StarSum> rings, const std::stop_token& stop) {
+std::optional<MinkowskiSum> MinkowskiSum::united(std::vector<convolution::StarSum> rings,
+                                                 const std::function<bool()>& stopped) {
   rings::leave_out_repeats(rings);
   MinkowskiSum sum;
   sum.ring_boxes_.reserve(rings.size());
   for (const convolution::StarSum& s : rings) sum.ring_boxes_.push_back(box_of_edges(s.edges));
   if (rings.size() > 1) {
-    auto visible = rings::visible_edges(rings, sum.ring_boxes_, stop);
+    auto visible = rings::visible_edges(rings, sum.ring_boxes_, stopped);
     if (!visible) return {};
     sum.visible_ = *std::move(visible);
   }
@@ -107,14 +109,14 @@ MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, 
 }
 
 std::optional<MinkowskiSum> obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative,
-                                         const std::stop_token& stop) {
+                                         const std::function<bool()>& stopped) {
   const Symmetry mirrored = Symmetry{false, 2}.after(relative);
   std::vector<outline::StarPart> moved;
   moved.reserve(q.parts.size());
   for (const outline::StarPart& part : q.parts) moved.push_back(transformed(part, mirrored));
-  std::vector<convolution::StarSum> rings = star_sums(p.parts, moved, stop);
+  std::vector<convolution::StarSum> rings = star_sums(p.parts, moved, stopped);
   if (rings.empty()) return {};
-  return MinkowskiSum::united(std::move(rings), stop);
+  return MinkowskiSum::united(std::move(rings), stopped);
 }
 
 }  // namespace selvage::minkowski

@@ -7,9 +7,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "core/minkowski/convolution/star_sum.h"
@@ -22,9 +22,9 @@ class MinkowskiSum {
  public:
   // The union of the rings.  REQUIRES: there are some.
   explicit MinkowskiSum(std::vector<convolution::StarSum> rings);
-  // The same; nothing when cancelled, which is checked once for each ring.
+  // The same; nothing when `stopped`, which is asked once for each ring unless it is empty.
   [[nodiscard]] static std::optional<MinkowskiSum> united(std::vector<convolution::StarSum> rings,
-                                                          const std::stop_token& stop);
+                                                          const std::function<bool()>& stopped);
 
   // The edges of the union's boundary.  Edges of the same ring are consecutive, and edges inside another ring are left
   // out.
@@ -56,8 +56,8 @@ class MinkowskiSum {
                                          std::span<const outline::StarPart> second);
 // P (+) -(Q under `relative`): two pieces overlap exactly when the position of Q relative to P lies in its interior.
 [[nodiscard]] MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative);
-// The same; nothing when cancelled, which is checked once for each pair of parts and for each ring.
+// The same; nothing when `stopped`, which is asked once for each pair of parts and for each ring.
 [[nodiscard]] std::optional<MinkowskiSum> obstacle_sum(const outline::Outline& p, const outline::Outline& q,
-                                                       Symmetry relative, const std::stop_token& stop);
+                                                       Symmetry relative, const std::function<bool()>& stopped);
 
 }  // namespace selvage::minkowski

@@ -22,9 +22,9 @@ class Budget {
 
   [[nodiscard]] bool timed() const { return static_cast<bool>(elapsed_); }
   [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
-  [[nodiscard]] bool over(std::uint64_t moves) const {
-    return moves >= most_ || stopped() || (elapsed_ && elapsed_() >= 1);
-  }
+  // True when the search is to end however many moves it has made.
+  [[nodiscard]] bool out_of_time() const { return stopped() || (elapsed_ && elapsed_() >= 1); }
+  [[nodiscard]] bool over(std::uint64_t moves) const { return moves >= most_ || out_of_time(); }
   // The part of it that is used up; 1 and more when it is over.
   [[nodiscard]] double used(std::uint64_t moves) const {
     const double of_moves = most_ == 0 ? 1 : static_cast<double>(moves) / static_cast<double>(most_);

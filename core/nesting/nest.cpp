@@ -162,7 +162,8 @@ Searched search(std::size_t number, const Task& task, const Budget& budget, cons
   for (std::size_t i = 0; i < task.start.pieces.size() && number % 2 == 0; ++i) kept[i] = true;
   Marker from = task.first;
   std::copy(task.start.pieces.begin(), task.start.pieces.end(), from.pieces.begin());
-  local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search};
+  local_search::GuidedSearch guided{task.set, seed, tuning.map_bytes, tuning.search,
+                                    [&budget] { return budget.out_of_time(); }};
   const auto begin = [&](OnStall on_stall) {
     auto exploration = std::make_unique<Exploration>(task.set, task.first, guided, tuning, on_stall, budget, end, run,
                                                      on_better, shorter);

@@ -96,10 +96,10 @@ class OverlapRemover {
     if (!set) return std::nullopt;
     nesting::NestTuning nesting;
     nesting.search.stretch = tuning_.stretch;
-    nesting::local_search::GuidedSearch search{*set, kSeed, nesting.map_bytes, nesting.search};
+    const auto over = [this] { return run_.stopped(); };
+    nesting::local_search::GuidedSearch search{*set, kSeed, nesting.map_bytes, nesting.search, over};
     auto layout = to_layout(*set, marker);
     layout.length = static_cast<double>(length_of(marker)) / set->lattice_units;
-    const auto over = [this] { return run_.stopped(); };
     double loss = 0;
     for (int k = 0; k < tuning_.searches && !run_.stopped(); ++k) {
       lengthen(layout, *set, search, k, loss);

@@ -103,7 +103,8 @@ Result<std::string> plan_page(const Json& plan, std::string_view title) {
   std::string page = "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + name +
                      "</title>\n<style>" + std::string{kStyle} + "</style>\n<h1>" + name + "</h1>\n<p>" +
                      std::to_string(plan["markers"].size()) + " markers in " + std::to_string(plan["lays"].size()) +
-                     " lays; the cost is at most " + decimals(100 * gap_of(plan), 2) + " % above the least.</p>\n";
+                     " lays; the cost is at most " + decimals(100 * gap_of(plan), 2) +
+                     " % above the least, if markers that were not made are as long as estimated.</p>\n";
   page += costs(plan) + "<h2>Garments</h2>\n" + deliveries(plan) + "<h2>Lays</h2>\n" + lays(plan) + "<h2>Cloth</h2>\n" +
           cloth(plan);
   std::size_t number = 0;

@@ -47,7 +47,7 @@ std::string plan_text(const Json& plan) {
   const Json& cost = plan["cost"];
   std::string text = "cost " + decimals(cost["total"].number(), 2) + ", of which cloth " +
                      decimals(cost["cloth"].number(), 2) + "; at most " + decimals(100 * gap_of(plan), 2) +
-                     " % above the least\n";
+                     " % above the least, if markers that were not made are as long as estimated\n";
   text += metres(plan["cloth"]) + " of cloth, " + counted(plan["markers"].size(), "marker", "markers") + ", " +
           counted(plan["lays"].size(), "lay", "lays") + "; " +
           counted(plan["made"].get<std::size_t>(), "marker", "markers") + " made in " +

@@ -39,12 +39,12 @@ class Visibility {
     if (large < order_.size()) others_.emplace(boxes, rank_);
   }
 
-  // Nothing when cancelled.
-  std::optional<std::vector<convolution::SumEdge>> edges(const std::stop_token& stop) {
+  // Nothing when stopped.
+  std::optional<std::vector<convolution::SumEdge>> edges(const std::function<bool()>& stopped) {
     std::vector<convolution::SumEdge> all;
     std::vector<std::pair<std::size_t, std::size_t>> part_of(sums_.size());  // of each ring in `all`
     for (const std::uint32_t r : order_) {
-      if (stop.stop_requested()) return {};
+      if (stopped && stopped()) return {};
       const std::size_t first = all.size();
       append_visible(r, all);
       part_of[r] = {first, all.size()};
@@ -188,8 +188,8 @@ void leave_out_repeats(std::vector<convolution::StarSum>& rings) {
 
 std::optional<std::vector<convolution::SumEdge>> visible_edges(std::span<const convolution::StarSum> rings,
                                                                std::span<const Box> boxes,
-                                                               const std::stop_token& stop) {
-  return Visibility{rings, boxes}.edges(stop);
+                                                               const std::function<bool()>& stopped) {
+  return Visibility{rings, boxes}.edges(stopped);
 }
 
 }  // namespace selvage::minkowski::rings

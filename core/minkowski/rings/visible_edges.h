@@ -2,9 +2,9 @@
 // is a ring of edges. Units: lattice units.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "core/minkowski/convolution/star_sum.h"
@@ -19,9 +19,9 @@ inline constexpr double kHidden = 1.0;
 // sums, of which only 2 n - 1 differ.
 void leave_out_repeats(std::vector<convolution::StarSum>& rings);
 
-// The visible parts of all edges, those of a ring one after another.  `boxes`: of the rings.  Nothing when cancelled,
-// which is checked once for each ring.
+// The visible parts of all edges, those of a ring one after another.  `boxes`: of the rings.  Nothing when
+// `stopped`, which is asked once for each ring unless it is empty.
 [[nodiscard]] std::optional<std::vector<convolution::SumEdge>> visible_edges(
-    std::span<const convolution::StarSum> rings, std::span<const Box> boxes, const std::stop_token& stop);
+    std::span<const convolution::StarSum> rings, std::span<const Box> boxes, const std::function<bool()>& stopped);
 
 }  // namespace selvage::minkowski::rings

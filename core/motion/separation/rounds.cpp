@@ -13,10 +13,25 @@
 
 namespace selvage::motion::separation {
 
+namespace {
+
+// The positions of the piece in a marker of this length; preferably in the present one, because the nearest repeat of
+// the cloth's pattern may lie beyond its end.
+Box fit_in_strip(const scene::Scene& scene, std::uint32_t piece, Coord present, Coord length) {
+  const auto fit = [&](Coord end) {
+    return minkowski::inner_fit(scene.pieces[piece].box, scene.pieces.room(piece, scene.marker.strip, end));
+  };
+  const Box preferred = fit(std::min(present, length));
+  return preferred.low.x <= preferred.high.x && preferred.low.y <= preferred.high.y ? preferred : fit(length);
+}
+
+}  // namespace
+
 void move_into_strip(scene::Scene& scene, Coord length) {
+  const Coord present = scene.pieces.length();
   for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
     if (scene.fixed(i)) continue;
-    const Box fit = minkowski::inner_fit(scene.pieces[i].box, scene.pieces.room(i, scene.marker.strip, length));
+    const Box fit = fit_in_strip(scene, i, present, length);
     const auto way_in = [](Coord value, Coord low, Coord high) { return std::max(low, std::min(value, high)) - value; };
     const Vec at = scene.pieces.at(i);
     const Vec by{way_in(at.x, fit.low.x, fit.high.x), way_in(at.y, fit.low.y, fit.high.y)};

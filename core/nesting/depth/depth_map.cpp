@@ -15,10 +15,10 @@ constexpr std::int16_t kInside = 1, kOutside = -1;  // what samples are before t
 
 }  // namespace
 
-DepthMap::DepthMap(Boundary boundary, float clearance, MapScale scale)
+DepthMap::DepthMap(Boundary boundary, float clearance, MapScale scale, const std::function<bool()>& stopped)
     : boundary_{std::move(boundary)}, clearance_{clearance}, scale_{scale} {
   bound();
-  sample();
+  sample(stopped);
 }
 
 void DepthMap::bound() {
@@ -39,7 +39,7 @@ void DepthMap::bound() {
   if (low_x_ >= high_x_ || low_y_ >= high_y_) low_x_ = high_x_ = low_y_ = high_y_ = 0;
 }
 
-void DepthMap::sample() {
+void DepthMap::sample(const std::function<bool()>& stopped) {
   const float pixel = scale_.pixel;
   first_column_ = static_cast<int>(std::floor(low_x_ / pixel)) - 1;
   first_row_ = static_cast<int>(std::floor(low_y_ / pixel)) - 1;
@@ -49,7 +49,7 @@ void DepthMap::sample() {
   mark_inside();
   Boundary near;
   std::vector<float> squared;
-  for (int row = 0; row < rows_; row += kBlock) {
+  for (int row = 0; row < rows_ && !(stopped && stopped()); row += kBlock) {
     for (int column = 0; column < columns_; column += kBlock) {
       keep_near(column, row, squared, near);
       sample_block(column, row, near);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/geometry/orientation.h"
@@ -29,7 +30,8 @@ class alignas(64) DepthMap {
   // One unit of a sample is this part of a pixel.
   static constexpr float kSample = 1.0F / 32;
 
-  DepthMap(Boundary boundary, float clearance, MapScale scale);
+  // When `stopped`, which is asked once for each row of blocks unless it is empty, the samples are of no use.
+  DepthMap(Boundary boundary, float clearance, MapScale scale, const std::function<bool()>& stopped = {});
   DepthMap(const DepthMap&) = delete;
   DepthMap& operator=(const DepthMap&) = delete;
 
@@ -69,7 +71,7 @@ class alignas(64) DepthMap {
 
  private:
   void bound();
-  void sample();
+  void sample(const std::function<bool()>& stopped);
   void mark_inside();
   void keep_near(int column, int row, std::vector<float>& squared, Boundary& near) const;
   void keep_overlaps();

@@ -35,8 +35,13 @@ constexpr auto kFrames = [] {
 
 }  // namespace
 
-DepthMaps::DepthMaps(const layout::PieceSet& set, MapScale scale, std::size_t limit_bytes)
-    : set_{set}, scale_{scale}, limit_{limit_bytes}, rows_(set.outlines.size() * kSymmetries) {}
+DepthMaps::DepthMaps(const layout::PieceSet& set, MapScale scale, std::size_t limit_bytes,
+                     std::function<bool()> stopped)
+    : set_{set},
+      scale_{scale},
+      limit_{limit_bytes},
+      stopped_{std::move(stopped)},
+      rows_(set.outlines.size() * kSymmetries) {}
 
 MapView DepthMaps::view(const layout::Turned& first, const layout::Turned& second) {
   const bool negated = first.outline > second.outline;
@@ -51,16 +56,31 @@ MapView DepthMaps::view(const layout::Turned& first, const layout::Turned& secon
   std::unique_ptr<DepthMap>& map = row[other.outline];
   if (!map) {
     map = make(base.outline, other.outline, relative);
+    if (!map) return {nothing(), kFrames[0][0]};
     bytes_ += map->bytes();
   }
   return {map.get(), kFrames[static_cast<std::size_t>(base.symmetry.index())][negated ? 1 : 0]};
 }
 
 std::unique_ptr<DepthMap> DepthMaps::make(std::uint32_t first, std::uint32_t second, Symmetry relative) const {
-  const minkowski::MinkowskiSum sum =
-      minkowski::obstacle_sum(set_.facing(first, second), set_.facing(second, first), relative);
-  return std::make_unique<DepthMap>(boundary_of(sum.edges(), set_.lattice_units),
-                                    static_cast<float>(set_.clearance(first, second)), scale_);
+  const auto sum = minkowski::obstacle_sum(set_.facing(first, second), set_.facing(second, first), relative, stopped_);
+  if (!sum) return nullptr;
+  auto map = std::make_unique<DepthMap>(boundary_of(sum->edges(), set_.lattice_units),
+                                        static_cast<float>(set_.clearance(first, second)), scale_, stopped_);
+  return stopped_ && stopped_() ? nullptr : std::move(map);
+}
+
+DepthMap* DepthMaps::nothing() {
+  if (!nothing_) {
+    Boundary triangle;
+    const float side = scale_.pixel;
+    triangle.add(0, 0, side, 0);
+    triangle.add(side, 0, 0, side);
+    triangle.add(0, side, 0, 0);
+    triangle.finish();
+    nothing_ = std::make_unique<DepthMap>(std::move(triangle), 0.0F, scale_);
+  }
+  return nothing_.get();
 }
 
 void DepthMaps::trim() {

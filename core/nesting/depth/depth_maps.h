@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,10 +18,10 @@ namespace selvage::nesting::depth {
 class DepthMaps {
  public:
   // REQUIRES: the set outlives the maps.
-  DepthMaps(const layout::PieceSet& set, MapScale scale, std::size_t limit_bytes);
+  DepthMaps(const layout::PieceSet& set, MapScale scale, std::size_t limit_bytes, std::function<bool()> stopped = {});
 
   // What a piece of the first kind is to one of the second, each in the given orientation.  The view is valid until
-  // trim().
+  // trim().  Once `stopped`, maps that are missing are not made: they look as if the two hardly overlapped.
   [[nodiscard]] MapView view(const layout::Turned& first, const layout::Turned& second);
   // Drops all maps when they exceed the limit.  Called between moves, so that no view is in use.
   void trim();
@@ -28,11 +29,16 @@ class DepthMaps {
   [[nodiscard]] const MapScale& scale() const { return scale_; }
 
  private:
+  // Null when stopped.
   [[nodiscard]] std::unique_ptr<DepthMap> make(std::uint32_t first, std::uint32_t second, Symmetry relative) const;
+
+  [[nodiscard]] DepthMap* nothing();
 
   const layout::PieceSet& set_;
   MapScale scale_;
   std::size_t limit_, bytes_{};
+  std::function<bool()> stopped_;
+  std::unique_ptr<DepthMap> nothing_;  // stands for maps that are not made
   // By base outline and relative symmetry of the other; empty rows are made when they are first needed.
   std::vector<std::vector<std::unique_ptr<DepthMap>>> rows_;
 };

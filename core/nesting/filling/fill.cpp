@@ -31,7 +31,7 @@ class Filler {
         settings_{settings},
         run_{run},
         best_{std::move(start)},
-        search_{set, settings.seed, settings.map_bytes, settings.search},
+        search_{set, settings.seed, settings.map_bytes, settings.search, [this] { return run_.stopped(); }},
         last_{*best_.marker.strip.last()} {
     best_.value = value_of(best_.lies, settings_.values);
     double widest = 0;

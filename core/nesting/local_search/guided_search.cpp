@@ -33,13 +33,14 @@ constexpr std::size_t kMapsToFields = 8;  // the memory for maps, divided by tha
 }  // namespace
 
 GuidedSearch::GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes,
-                           const SearchTuning& tuning)
+                           const SearchTuning& tuning, std::function<bool()> stopped)
     : set_{&set},
       tuning_{tuning},
       dice_{seed},
       maps_{set,
             {static_cast<float>(pixel_of(set, tuning.pixels_per_side)), static_cast<float>(tuning.charge)},
-            map_bytes},
+            map_bytes,
+            std::move(stopped)},
       losses_{set, maps_, tuning},
       mover_{set, maps_, losses_, dice_, tuning, map_bytes / kMapsToFields} {}
 

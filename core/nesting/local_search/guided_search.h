@@ -26,8 +26,10 @@ struct Persistence {
 class GuidedSearch {
  public:
   // `map_bytes`: memory for the sampled maps; fields take up to an eighth more.  REQUIRES: the set outlives
-  // the search.
-  GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes, const SearchTuning& tuning);
+  // the search.  Once `stopped`, a move ends without the maps that it lacks, so that a layout may seem not to overlap
+  // although it does.
+  GuidedSearch(const layout::PieceSet& set, std::uint64_t seed, std::size_t map_bytes, const SearchTuning& tuning,
+               std::function<bool()> stopped);
 
   // The layout of least loss that was found, and its loss: 0 when nothing overlaps by more than the tolerance.
   struct Outcome {

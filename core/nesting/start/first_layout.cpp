@@ -40,8 +40,8 @@ class FirstLayout {
 
  private:
   std::optional<Marker> searched() {
-    local_search::GuidedSearch search{set_, settings_.seed, settings_.map_bytes, settings_.search};
     const auto over = [this] { return run_.stopped(); };
+    local_search::GuidedSearch search{set_, settings_.seed, settings_.map_bytes, settings_.search, over};
     layout::Layout layout = to_layout(set_, shelves_);
     search.build(layout, set_.fixed, over);
     for (int k = 0; k < kLengths && !over(); ++k) {

@@ -318,7 +318,10 @@ class BodyMaker {
       if (first.body == drafts_.size() && !may_meet(figure.box.moved(at).grown(spacing), second, k)) continue;
       const bool by_part = piece && placed_.shows_part(draft.pieces[k], *piece);
       const outline::OrientedOutline& met = by_part ? other.part : other.outline;
-      for (cells::WedgeRing& ring : spaced_rings(figure.outline, met, spacing, offset, run_.sums)) {
+      auto rings = spaced_rings(figure.outline, met, spacing, offset, run_.sums, run_.stop);
+      bodies_.complete = rings.has_value();
+      if (!rings) return;
+      for (cells::WedgeRing& ring : *rings) {
         if (first.body == drafts_.size() && !reaches(second, ring)) continue;
         bodies_.problem.between[{first, second}].push_back(static_cast<std::uint32_t>(bodies_.problem.rings.size()));
         wedges_ += ring.size();

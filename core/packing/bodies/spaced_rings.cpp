@@ -36,15 +36,19 @@ std::size_t true_edges(const minkowski::convolution::StarSum& sum) {
 
 }  // namespace
 
-std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p, const outline::OrientedOutline& q,
-                                           Coord spacing, Vec offset, SumCache& sums) {
-  const minkowski::Obstacle obstacle = sums.obstacle(p, q);
+std::optional<std::vector<cells::WedgeRing>> spaced_rings(const outline::OrientedOutline& p,
+                                                          const outline::OrientedOutline& q, Coord spacing, Vec offset,
+                                                          SumCache& sums, const std::stop_token& stop) {
+  const auto found = sums.obstacle(p, q, stop);
+  if (!found) return {};
+  const minkowski::Obstacle& obstacle = *found;
   std::vector<cells::WedgeRing> rings;
   const auto add = [&](const minkowski::convolution::StarSum& sum) {
     if (true_edges(sum) >= 3) rings.emplace_back(sum, obstacle, offset);
   };
   const auto circle = spacing > 0 ? clean_polygon(inside_circle(spacing)) : Result<geometry::CleanPolygon>{Error{}};
   for (const minkowski::convolution::StarSum& sum : obstacle.sum().rings()) {
+    if (stop.stop_requested()) return {};
     Polygon corners;
     for (const auto& edge : sum.edges) corners.push_back(edge.from);
     const auto clean = circle ? clean_polygon(corners) : Result<geometry::CleanPolygon>{Error{}};

@@ -4,6 +4,8 @@
 // Units: lattice units.
 #pragma once
 
+#include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/minkowski/cache.h"
@@ -11,9 +13,10 @@
 
 namespace selvage::packing::bodies {
 
-// The rings that the position of q relative to p must stay outside of, moved by `offset`.
-[[nodiscard]] std::vector<cells::WedgeRing> spaced_rings(const outline::OrientedOutline& p,
-                                                         const outline::OrientedOutline& q, Coord spacing, Vec offset,
-                                                         SumCache& sums);
+// The rings that the position of q relative to p must stay outside of, moved by `offset`; nothing when cancelled.
+[[nodiscard]] std::optional<std::vector<cells::WedgeRing>> spaced_rings(const outline::OrientedOutline& p,
+                                                                        const outline::OrientedOutline& q,
+                                                                        Coord spacing, Vec offset, SumCache& sums,
+                                                                        const std::stop_token& stop);
 
 }  // namespace selvage::packing::bodies

@@ -47,7 +47,7 @@ class Explorations : public ::testing::Test {
   const Marker first_ = nesting::nest(rectangles_and_triangles(), {}, {sums_})->marker;
   const nesting::layout::PieceSet set_ =
       *nesting::layout::piece_set_of(rectangles_and_triangles(), nesting::layout::PlacedPiecesMay::kMove, sums_);
-  nesting::local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}};
+  nesting::local_search::GuidedSearch guided_{set_, 1, std::size_t{1} << 24, {}, {}};
   Coord shortest_{kLatticeLimit};  // of all explorations
 };
 

@@ -174,6 +174,17 @@ TEST(Rules, SeparationKeepsAMatchSetInTheStrip) {  // the nearest place in phase
   EXPECT_TRUE(is_valid(separated->marker));
 }
 
+TEST(Rules, SeparationPutsAPieceOnTheStripeWithinTheMarker) {  // the nearest one is beyond its end
+  Marker marker = squares({{40'000, 0}});
+  marker.strip.repeat.along = 70'000;
+  marker.pieces[0].rules.match = Vec{0, 0};
+  SumCache sums;
+  const auto done = separation::separate(marker, {}, {sums});
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_EQ(done->marker.pieces[0].at, (Vec{0, 0}));
+  EXPECT_TRUE(is_valid(done->marker));
+}
+
 TEST(Rules, AMatchSetWithALockedPieceStaysInItsPhase) {
   Marker marker = matched_pair();
   marker.pieces[0].locked = true;

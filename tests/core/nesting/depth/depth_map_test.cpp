@@ -47,6 +47,20 @@ Polygon oriented_outline(const Marker& marker, std::size_t shape, const layout::
   return oriented(marker.shapes[shape].outline, turned.orientation);
 }
 
+TEST(DepthMaps, AreNotMadeOnceStopped) {
+  Random random{9};
+  const Pair pair{two_shapes(random)};
+  bool stopped = true;
+  DepthMaps maps{pair.set, kScale, 1 << 20, [&] { return stopped; }};
+  const auto& p = pair.turned(0, 0);
+  const auto& q = pair.turned(1, 0);
+  const DepthMap* const missing = maps.view(p, q).map;
+  EXPECT_EQ(maps.view(q, p).map, missing);
+  stopped = false;
+  EXPECT_NE(maps.view(p, q).map, missing);
+  EXPECT_EQ(maps.view(p, q).map, maps.view(q, p).map);
+}
+
 TEST(DepthMap, IsZeroExactlyWhenPiecesAreApart) {
   Random random{1};
   for (int trial = 0; trial < 40; ++trial) {

@@ -250,7 +250,7 @@ TEST(GuidedSearch, SeparatesPiecesThatLieOnEachOther) {
   SumCache sums;
   const auto set = piece_set_of(marker, layout::PlacedPiecesMay::kMove, sums);
   ASSERT_TRUE(set);
-  GuidedSearch search{*set, 1, 1 << 24, {}};
+  GuidedSearch search{*set, 1, 1 << 24, {}, {}};
   Layout heap;
   heap.length = 700;
   heap.places.resize(8);
