@@ -12,7 +12,8 @@ namespace {
 
 // The nearest free position in `fit`; `present`: a position known to be free, if any.
 std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec wanted, const Box& fit,
-                                std::optional<Vec> present, const PlaceTuning& tuning) {
+                                std::optional<Vec> present, const PlaceSettings& settings) {
+  const PlaceTuning& tuning = settings.tuning;
   if (fit.high.x < fit.low.x || fit.high.y < fit.low.y) return std::nullopt;
   const Vec origin{std::clamp(wanted.x, fit.low.x, fit.high.x), std::clamp(wanted.y, fit.low.y, fit.high.y)};
   std::optional<Vec> best = present;
@@ -22,7 +23,8 @@ std::optional<Vec> nearest_free(const scene::Scene& scene, const Body& body, Vec
         Box{origin, origin}.grown(std::llround(std::min(enough, 4.0 * static_cast<double>(kLatticeLimit))));
     const Box window{{std::max(about.low.x, fit.low.x), std::max(about.low.y, fit.low.y)},
                      {std::min(about.high.x, fit.high.x), std::min(about.high.y, fit.high.y)}};
-    best = nearest_in_window(scene, body, window, wanted, origin, best, tuning);
+    best = nearest_in_window(scene, body, window, wanted, origin, best, tuning, settings.stop);
+    if (settings.stop.stop_requested()) return std::nullopt;
     // Outside the window everything is farther from the origin than it reaches, and no nearer to the wanted position.
     const bool final = best && distance_between(*best, wanted) <= std::hypot(enough, distance_between(origin, wanted));
     if (final || window == fit) return best;
@@ -51,14 +53,18 @@ std::optional<Place> place_in_repeat(const scene::Scene& scene, PieceId piece, V
   if (scene.fixed(piece.value)) return Place{body.at, distance_between(body.at, wanted), false};
   const Strip& strip = scene.marker.strip;
   const Box fit = body.fit(scene, strip.last().value_or(length));
-  const auto free = [&](Vec at) { return fit.contains({at, at}) && Surroundings{scene, body, {at, at}, at}.free(at); };
+  const auto free = [&](Vec at) {
+    if (!fit.contains({at, at})) return false;
+    const Surroundings around{scene, body, {at, at}, at, settings.stop};
+    return around.complete() && around.free(at);
+  };
   if (free(wanted)) return Place{wanted, 0, false};
   const auto found =
-      nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings.tuning);
+      nearest_free(scene, body, wanted, fit, free(body.at) ? std::optional{body.at} : std::nullopt, settings);
   if (found) return Place{*found, distance_between(*found, wanted), false};
   if (!settings.may_grow || strip.longest) return std::nullopt;
   const Box longer = body.fit(scene, std::min(end_with_room(scene, body, length), kLatticeLimit - 1));
-  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt, settings.tuning);
+  const auto beyond = nearest_free(scene, body, wanted, longer, std::nullopt, settings);
   if (!beyond) return std::nullopt;
   return Place{*beyond, distance_between(*beyond, wanted), true};
 }
@@ -89,8 +95,8 @@ std::optional<Place> place(const scene::Scene& scene, PieceId piece, Vec wanted,
   const Coord length = scene.pieces.length();
   if (repeat == Vec{}) return place_in_repeat(scene, piece, wanted, length, settings);
   const std::vector<Vec> jumps = jumps_towards(scene.pieces.at(piece.value), wanted, repeat, settings.tuning.repeats);
-  std::optional<Place> best =
-      nearest_of(scene, piece, wanted, length, jumps, {.may_grow = false, .tuning = settings.tuning});
+  std::optional<Place> best = nearest_of(scene, piece, wanted, length, jumps,
+                                         {.may_grow = false, .tuning = settings.tuning, .stop = settings.stop});
   if (!best && settings.may_grow) best = nearest_of(scene, piece, wanted, length, jumps, settings);
   return best;
 }
@@ -122,13 +128,16 @@ Result<PlacedMarker> repair_and_place(const Marker& start, PieceId piece, Vec wa
   };
   return repair::repaired_and<PlacedMarker>(scene, repairing, [&](PlacedMarker& placed) {
     run.observer.on_stage(scene::Stage::kSolve);
-    placed.place = place(scene, piece, wanted, settings);
+    PlaceSettings stoppable = settings;
+    stoppable.stop = run.stop;
+    placed.place = place(scene, piece, wanted, stoppable);
     run.observer.on_stage(scene::Stage::kOther);
     const bool could_grow = settings.may_grow && !start.strip.longest;
     if (!placed.place && could_grow &&
         end_with_room(scene, Body{scene, piece}, scene.pieces.length()) >= kLatticeLimit) {
       placed.reason = scene::StopReason::kLatticeEnd;
     }
+    if (!placed.place && run.stopped()) placed.reason = scene::StopReason::kCancelled;
     if (placed.place) scene.shift(piece, placed.place->at - scene.pieces.at(piece.value));
   });
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 
 #include "core/base/result.h"
 #include "core/motion/placing/tuning.h"
@@ -20,6 +21,7 @@ struct PlaceSettings {
   bool may_grow{};  // when no position within the marker's length is free, take the nearest one beyond it, but not
                     // beyond the end of the cloth or of the lattice
   PlaceTuning tuning{};
+  std::stop_token stop{};  // when a stop is requested, no position is found
 };
 struct Place {
   Vec at;             // free
@@ -36,7 +38,7 @@ struct Place {
 
 struct PlacedMarker : repair::MotionResult {
   // None: there is no free position, and the piece stays where it was; the reason is kLatticeEnd when the marker was to
-  // grow and only the lattice has no room for it.
+  // grow and only the lattice has no room for it, and kCancelled when the search was stopped.
   std::optional<Place> place;
 };
 // The same for a marker as it comes in: small overlaps among the other pieces are repaired first

@@ -69,21 +69,25 @@ bool Body::holds(std::uint32_t piece) const {
   return std::any_of(members.begin(), members.end(), [&](const Member& member) { return member.piece == piece; });
 }
 
-Surroundings::Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin)
+Surroundings::Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin,
+                           const std::stop_token& stop)
     : scene_{scene}, origin_{origin} {
-  for (const Body::Member& member : body.members) append_near(body, member, window);
+  for (const Body::Member& member : body.members) append_near(body, member, window, stop);
   first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
 }
 
-void Surroundings::append_near(const Body& body, const Body::Member& member, const Box& window) {
+void Surroundings::append_near(const Body& body, const Body::Member& member, const Box& window,
+                               const std::stop_token& stop) {
   const Box own = scene_.pieces[member.piece].box.moved(member.offset);
   const Box swept = Box{window.low + own.low, window.high + own.high}.grown(scene_.pieces.widest_spacing() + 1);
   for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
     if (!swept.touches(scene_.pieces.box(other)) || body.holds(other)) continue;
     if (scene_.pieces.may_share_cloth(member.piece, other)) continue;
+    auto obstacle = scene_.obstacle({other, member.piece}, stop);
+    complete_ = complete_ && obstacle;
+    if (!obstacle) return;
     near_.push_back(
-        {member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}),
-         scene_.sums.obstacle(scene_.outline_facing(other, member.piece), scene_.outline_facing(member.piece, other))});
+        {member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}), *std::move(obstacle)});
     first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));
     append_lines(near_.back(), window);
   }

@@ -2,6 +2,7 @@
 // with the other pieces, and their borders within a window of positions.
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "core/motion/placing/border.h"
@@ -28,8 +29,10 @@ class Surroundings {
  public:
   // All obstacles that matter while the body's position stays inside `window`.  Real coordinates are relative to
   // `origin`.
-  Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin);
+  Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin, const std::stop_token& stop);
 
+  // False when cancelled: obstacles are missing.
+  [[nodiscard]] bool complete() const { return complete_; }
   [[nodiscard]] const std::vector<BorderLine>& lines() const { return lines_; }
   [[nodiscard]] std::size_t obstacles() const { return near_.size(); }
   // The index of an obstacle's first line; its last one comes just before the first line of the next obstacle.
@@ -46,7 +49,7 @@ class Surroundings {
     Coord spacing{};
     minkowski::Obstacle obstacle;
   };
-  void append_near(const Body& body, const Body::Member& member, const Box& window);
+  void append_near(const Body& body, const Body::Member& member, const Box& window, const std::stop_token& stop);
   void append_lines(const Near& near, const Box& window);
   [[nodiscard]] RealVec real(Vec position) const {
     return {static_cast<double>(position.x - origin_.x), static_cast<double>(position.y - origin_.y)};
@@ -57,6 +60,7 @@ class Surroundings {
   std::vector<Near> near_;
   std::vector<BorderLine> lines_;
   std::vector<std::uint32_t> first_line_;  // one more than obstacles
+  bool complete_{true};
 };
 
 }  // namespace selvage::motion::placing

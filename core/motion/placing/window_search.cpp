@@ -23,9 +23,10 @@ struct Cell {
 class WindowSearch {
  public:
   WindowSearch(const scene::Scene& scene, const Body& body, const Box& window, Vec wanted, Vec origin,
-               std::optional<Vec> best, const PlaceTuning& tuning)
+               std::optional<Vec> best, const PlaceTuning& tuning, const std::stop_token& stop)
       : tuning_{tuning},
-        around_{scene, body, window, origin},
+        stop_{stop},
+        around_{scene, body, window, origin, stop},
         window_{window},
         wanted_{wanted},
         origin_{origin},
@@ -34,8 +35,10 @@ class WindowSearch {
         least_{best ? distance_between(*best, wanted) : std::numeric_limits<double>::infinity()} {}
 
   std::optional<Vec> run() {
+    if (!around_.complete()) return {};
     push_window();
     while (!heap_.empty()) {
+      if (stop_.stop_requested()) return {};
       std::pop_heap(heap_.begin(), heap_.end(), farther);
       const Cell cell = std::move(heap_.back());
       heap_.pop_back();
@@ -227,6 +230,7 @@ class WindowSearch {
   }
 
   const PlaceTuning& tuning_;
+  const std::stop_token& stop_;
   Surroundings around_;
   Box window_;  // of positions, inside the strip
   Vec wanted_, origin_;
@@ -242,8 +246,9 @@ class WindowSearch {
 }  // namespace
 
 std::optional<Vec> nearest_in_window(const scene::Scene& scene, const Body& body, const Box& window, Vec wanted,
-                                     Vec origin, std::optional<Vec> best, const PlaceTuning& tuning) {
-  return WindowSearch{scene, body, window, wanted, origin, best, tuning}.run();
+                                     Vec origin, std::optional<Vec> best, const PlaceTuning& tuning,
+                                     const std::stop_token& stop) {
+  return WindowSearch{scene, body, window, wanted, origin, best, tuning, stop}.run();
 }
 
 }  // namespace selvage::motion::placing

@@ -50,7 +50,7 @@ Result<calls::Motion<PlaceResult>> run_place(const PlaceParams& params, const Ma
                      .at = calls::point_of(done->marker.pieces[piece->value].at, start.resolution),
                      .distance = {},
                      .grown = done->place && done->place->grown,
-                     .stop = calls::StopCause::kConverged};
+                     .stop = calls::stop_cause(done->reason, context)};
   if (done->place) result.distance = formats::in_unit(done->place->distance, start.resolution);
   return calls::Motion<PlaceResult>{{std::move(done->marker), done->repair}, result};
 }

@@ -80,6 +80,22 @@ TEST(Place, FindsAHoleThatFitsExactly) {  // one position, and a slot of no widt
   EXPECT_EQ(placed(layout.marker(), 0, {130, 90})->at, (Vec{100, 100}));
 }
 
+TEST(Place, FindsNothingWhenCancelled) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(100, 100));
+  layout.put(square, {0, 0}).put(square, {500, 500});
+  const Marker marker = layout.marker();
+  SumCache sums;
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped = repair_and_place(marker, PieceId{1}, {50, 50}, {}, {sums, source.get_token()});
+  ASSERT_TRUE(stopped);
+  EXPECT_FALSE(stopped->place);
+  EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(stopped->marker, marker);
+  EXPECT_EQ(sums.counts().entries, 0U);
+}
+
 TEST(Place, KeepsTheSpacingRoundCorners) {
   Layout layout{100'000};
   const auto square = layout.shape_of(test::rectangle(10'000, 10'000));
