@@ -131,7 +131,11 @@ void Conversation::receive_instance(const Answer& received) {
 void Conversation::restore_watches() {
   std::vector<std::string> lost;
   for (const auto& [marker, watch] : watched_) {
-    homes_.may_use(marker) ? send_watch(marker) : lost.push_back(marker);
+    if (homes_.may_use(marker)) {
+      send_watch(marker);
+    } else {
+      lost.push_back(marker);
+    }
   }
   // All of them first, because the connection is reported as restored when no other watch is left.
   for (const std::string& marker : lost) watched_.erase(marker);

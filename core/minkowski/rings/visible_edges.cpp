@@ -98,7 +98,7 @@ class Visibility {
     return within;
   }
 
-  // Hides the edge behind the largest rings.
+  // Finds the parts of the edge that the largest rings do not hide.
   void find_shown(std::uint32_t own, const convolution::SumEdge& edge) {
     const Box box = box_of(edge);
     shown_ = {{0.0, 1.0}};
@@ -112,6 +112,7 @@ class Visibility {
     }
   }
 
+  // Removes from shown_ what the rings near the edge hide, the largest ones excepted, which find_shown has tested.
   void hide_behind_others(std::uint32_t own, const convolution::SumEdge& edge) {
     others_->search_touching(box_of(edge));
     while (!shown_.empty()) {

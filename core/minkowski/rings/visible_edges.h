@@ -1,5 +1,7 @@
-// The boundary of the union of star-shaped sums: the parts of their edges that lie inside no other one.  Each of them
-// is a ring of edges. Units: lattice units.
+// The boundary of the union of star-shaped sums: the parts of their edges that lie inside no other sum.  The edges of a
+// star-shaped sum form a ring around its centre, so it is called a ring here.
+//
+// Units: lattice units.
 #pragma once
 
 #include <functional>

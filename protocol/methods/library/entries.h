@@ -41,7 +41,7 @@ struct LibraryAddParams {
   static void describe(auto& v, auto& self) {
     v.required("markerId", self.marker_id,
                "The open marker to store, at its current revision; it must be valid, with all pieces placed.");
-    v.optional("style", self.style, "The style, at most 200 bytes.", kStyles);
+    v.optional("style", self.style, "The style.", kStyles);
   }
 };
 struct LibraryAddResult {

@@ -54,7 +54,7 @@ export interface LibraryMethods {
     params: {
       /** The open marker to store, at its current revision; it must be valid, with all pieces placed. */
       markerId: string;
-      /** The style, at most 200 bytes. Its length is counted in bytes of UTF-8. */
+      /** The style. Its length is counted in bytes of UTF-8. */
       style?: string;
     };
     result: {
