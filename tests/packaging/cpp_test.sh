@@ -28,7 +28,7 @@ project both 'find_package(Selvage 0.1 REQUIRED COMPONENTS core client)' \
   "add_executable(compact $source/examples/cpp/compact.cpp)" 'target_link_libraries(compact PRIVATE Selvage::client)' \
   'set_target_properties(shorten compact PROPERTIES EXPORT_COMPILE_COMMANDS ON)' || fail "$(< "$folder/both/log")"
 cmake --build "$folder/both/build" > "$folder/both/log" 2>&1 || fail "$(< "$folder/both/log")"
-"$folder/both/build/shorten" | grep -q valid || fail "the installed core does not compact"
+grep -q valid <<< "$("$folder/both/build/shorten")" || fail "the installed core does not compact"
 ! grep -qE -- '-Werror|-Wconversion|-ffp-contract' "$folder/both/build/compile_commands.json" ||
   fail "our compile options reach other projects"
 
@@ -42,14 +42,15 @@ export PKG_CONFIG_PATH=$folder/usr/lib/pkgconfig
 # shellcheck disable=SC2046
 c++ -std=c++20 "$source/examples/core/shorten.cpp" -o "$folder/shorten" $(pkg-config --cflags --libs selvage) ||
   fail "pkg-config"
-"$folder/shorten" | grep -q valid || fail "the program linked by pkg-config does not compact"
+grep -q valid <<< "$("$folder/shorten")" || fail "the program linked by pkg-config does not compact"
 
 # As a part of another project: the libraries alone, without tests, programs or our warnings.
 project part "add_subdirectory($source selvage EXCLUDE_FROM_ALL)" \
   "add_executable(shorten $source/examples/core/shorten.cpp)" 'target_link_libraries(shorten PRIVATE Selvage::core)' ||
   fail "$(< "$folder/part/log")"
 cmake --build "$folder/part/build" --target core_geometry > "$folder/part/log" 2>&1 || fail "$(< "$folder/part/log")"
-! cmake --build "$folder/part/build" --target help | grep -qE ' (selvaged|selvage|geometry_test):' ||
+targets=$(cmake --build "$folder/part/build" --target help)
+! grep -qE ' (selvaged|selvage|geometry_test):' <<< "$targets" ||
   fail "more than the libraries is a part of other projects"
 project fetched 'include(FetchContent)' "FetchContent_Declare(selvage SOURCE_DIR $source)" 'FetchContent_MakeAvailable(selvage)' \
   "add_executable(shorten $source/examples/core/shorten.cpp)" 'target_link_libraries(shorten PRIVATE Selvage::core)' ||

@@ -19,7 +19,7 @@ for program; do
   ! grep -q 'TEXTREL' <<< "$dynamic" || fail "$program has code that is changed when it is loaded"
   grep -q 'GNU_RELRO' <<< "$segments" || fail "$program has no read-only relocations (RELRO)"
   grep -Eq '\(FLAGS\).*BIND_NOW|\(FLAGS_1\).*NOW' <<< "$dynamic" || fail "$program binds its symbols late (BIND_NOW)"
-  ! grep 'GNU_STACK' <<< "$segments" | grep -q 'RWE' || fail "$program has an executable stack"
+  ! grep -q 'GNU_STACK.*RWE' <<< "$segments" || fail "$program has an executable stack"
   grep -Eq ' __[a-z]+_chk(@|$)' <<< "$symbols" || fail "$program calls no function that checks sizes (_FORTIFY_SOURCE)"
 done
 

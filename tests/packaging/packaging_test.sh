@@ -23,7 +23,7 @@ port_in() {
 # that does not exist is an error.
 mapfile -t packages < <("$source/packaging/packages.sh" engine daemon tests measuring packaging checking)
 for package in build-essential cmake libssl-dev libgtest-dev libbenchmark-dev clang-tidy; do
-  printf '%s\n' "${packages[@]}" | grep -qx "$package" || fail "$package is not in packages.txt"
+  [[ " ${packages[*]} " == *" $package "* ]] || fail "$package is not in packages.txt"
 done
 [[ -z $(printf '%s\n' "${packages[@]}" | sort | uniq -d) ]] || fail "packages.txt names a package twice"
 ! "$source/packaging/packages.sh" nonsense 2> /dev/null || fail "a group that does not exist was accepted"
@@ -39,7 +39,7 @@ for file in bin/selvaged bin/selvage libexec/selvage/healthcheck.sh lib/systemd/
   [[ -f $folder/usr/$file ]] || fail "$file was not installed"
 done
 selvaged=$folder/usr/bin/selvaged
-"$selvaged" --version | grep -q '^selvaged [0-9]' || fail "--version"
+grep -q '^selvaged [0-9]' <<< "$("$selvaged" --version)" || fail "--version"
 
 # Every library it links comes with the packages that the image installs.
 mapfile -t packages < <(grep -v '^#' "$source/packaging/packages-run.txt")
