@@ -10,6 +10,7 @@
 
 #include "protocol/formats/constraints.h"
 #include "protocol/formats/decimal_marker.h"
+#include "protocol/formats/jagua/bins.h"
 #include "protocol/json/fields.h"
 
 namespace selvage::protocol::formats {
@@ -63,6 +64,7 @@ struct Reading {
   document::Attributes attributes;
   std::vector<bool> filled;          // per item: its shape is written as {outer, inner}
   std::vector<std::int64_t> demand;  // per item: its pieces, without zones; 0 if the file does not say
+  std::vector<std::optional<marker::Quality>> accepted;  // per item: the worst class of cloth that its pieces accept
   std::vector<Note> notes;
   json::Mistake mistake;
 };
@@ -103,6 +105,14 @@ std::vector<Angle> read_orientations(json::Fields& fields, json::Mistake& mistak
   return rotations;
 }
 
+// The worst class of cloth that pieces of an item accept.  jagua-rs itself writes null where there is none.
+std::optional<marker::Quality> accepted_quality(json::Fields& fields) {
+  if (const Json* const given = fields.maybe_any("min_quality"); given == nullptr || given->is_null()) return {};
+  const auto needed = fields.maybe_integer("min_quality", 0, jagua::kBestQuality);
+  if (!needed || *needed == jagua::kBestQuality) return std::nullopt;
+  return jagua::class_of(*needed);
+}
+
 void read_item(const Json& value, const std::string& at, Reading& reading) {
   json::Fields fields{value, at, reading.mistake};
   DecimalShape shape;
@@ -119,6 +129,7 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   reading.attributes.shapes.push_back(fields.rest());
   constexpr auto kMost = static_cast<std::int64_t>(marker::kMaxPieces);
   reading.demand.push_back(fields.maybe_integer("demand", 0, kMost).value_or(0));
+  reading.accepted.push_back(accepted_quality(fields));
   reading.marker.shapes.push_back(std::move(shape));
 }
 
@@ -169,6 +180,37 @@ void list_unplaced(Reading& reading) {
       reading.attributes.unplaced.push_back(Json::object());
     }
   }
+}
+
+// Pieces accept what their item accepts, unless they have a rule of their own.
+void accept_qualities(Reading& reading) {
+  std::unordered_map<std::string, marker::Quality> accepted;
+  for (std::size_t i = 0; i < reading.marker.shapes.size(); ++i) {
+    if (reading.accepted[i]) accepted.emplace(reading.marker.shapes[i].shape.id, *reading.accepted[i]);
+  }
+  for (auto* const pieces : {&reading.marker.pieces, &reading.marker.unplaced}) {
+    for (DecimalPiece& piece : *pieces) {
+      const auto found = accepted.find(piece.shape);
+      const bool given = piece.rules.quality || piece.rules.zone.value_or(false);
+      if (found != accepted.end() && !given) piece.rules.quality = found->second;
+    }
+  }
+}
+
+// The width of the strip of an instance of bins, which states none: that of the widest bin.
+double width_of_bins(const Json& bins, Reading& reading) {
+  const auto read = jagua::read_bins(bins);
+  if (!read) {
+    reading.mistake.add(read.error());
+    return 0;
+  }
+  const double width = jagua::widest(*read);
+  if (width >= kStripWidths.least && width <= kStripWidths.most) {
+    reading.notes.push_back({"/bins", "the strip is as wide as the widest bin; nest on sheets to use the bins"});
+  } else {
+    reading.mistake.add(ErrorCode::kOutOfRange, "hold no bin of a size that a strip may have", "/bins");
+  }
+  return width;
 }
 
 double in_degrees(double radians) {
@@ -240,7 +282,9 @@ Result<MarkerFile> read_sparrow(const Json& document) {
     if (reading.mistake) return reading.mistake.error();
     read_item(value, "/items/" + std::to_string(marker.shapes.size()), reading);
   }
-  marker.width = fields.number("strip_height", kStripWidths);
+  const Json* const bins = document.find("bins");
+  marker.width = bins != nullptr && !fields.has("strip_height") ? width_of_bins(*bins, reading)
+                                                                : fields.number("strip_height", kStripWidths);
   marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
   marker.below = fields.maybe_number("below", {0, kStripWidths.most});
   marker.above = fields.maybe_number("above", {0, kStripWidths.most});
@@ -253,6 +297,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   marker.overlap = fields.number_or("overlap", 0, {0, marker.width});
   read_solution(fields, reading);
   list_unplaced(reading);
+  accept_qualities(reading);
   reading.attributes.whole = fields.rest();
   if (reading.mistake) return reading.mistake.error();
   settle_rotations(reading);

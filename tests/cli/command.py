@@ -13,6 +13,7 @@ from decimal import Decimal
 SELVAGE = sys.argv.pop(1)
 MARKERS = pathlib.Path(__file__).parents[2] / "examples" / "markers"
 PACKING = MARKERS.parent / "packing"
+HIDES = MARKERS.parent / "hides"
 PICTURES = MARKERS.parents[1] / "docs" / "pictures" / "packing"
 OK, NOT_VALID, BAD_USAGE, BAD_INPUT, FILE, REFUSED, CANCELLED = 0, 1, 2, 3, 4, 5, 130
 

@@ -7,7 +7,8 @@ import subprocess
 import time
 import unittest
 
-from command import BAD_INPUT, BAD_USAGE, CANCELLED, CliTest, MARKERS, OK, PACKING, PICTURES, REFUSED, SELVAGE, run, squares
+from command import (BAD_INPUT, BAD_USAGE, CANCELLED, CliTest, HIDES, MARKERS, OK, PACKING, PICTURES, REFUSED, SELVAGE, run,
+                     squares)
 
 
 class Nest(CliTest):
@@ -122,6 +123,25 @@ class Nest(CliTest):
         ran = run("nest", self.write(document), "--moves", 200, "--sheets", hide)
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertIn("marker: 1 sheet\n  sheet 1      kind 1, 1 pieces", ran.stdout)
+
+    def test_nests_on_the_bins_of_an_instance(self):
+        ran = run("nest", HIDES / "bags.json", "--sheets", "bins", "--moves", 3000, "-o", self.path("laid.json"), "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        line = json.loads(ran.stdout)
+        self.assertEqual(sum(sheet["pieces"] for sheet in line["sheets"]), 65)
+        self.assertEqual(line["left_over"], [])
+        for number, sheet in enumerate(line["sheets"], 1):
+            written = json.loads(self.path(f"laid-{number}.json").read_text())
+            zones = [piece for piece in written["pieces"] if piece.get("rules", {}).get("zone")]
+            self.assertEqual(len(zones), (4 + 3 + 2, 4 + 1 + 1)[sheet["sheet"]])
+            self.assertEqual(len(written["pieces"]) - len(zones), sheet["pieces"])
+            ran = run("compact", self.path(f"laid-{number}.json"), "-o", self.path("compacted.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            compacted = json.loads(self.path("compacted.json").read_text())
+            self.assertEqual([piece for piece in compacted["pieces"] if piece["id"].startswith("sheet ")], zones)
+        ran = run("nest", self.write(squares((0, 0))), "--sheets", "bins")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("the opened file has no bins", ran.stderr)
 
     def test_refuses_sheets_that_it_cannot_read(self):
         document = squares((0, 0))

@@ -127,9 +127,10 @@ class Filler {
     }
   }
 
-  // The area of the strip without that of the pieces that lie.
+  // The area that pieces can cover without that of the pieces that lie.
   [[nodiscard]] double room_besides(const std::vector<bool>& lies) const {
     double room = (static_cast<double>(last_) / set_.lattice_units - set_.left) * set_.across();
+    if (settings_.room) room = std::min(room, *settings_.room / (set_.lattice_units * set_.lattice_units));
     for (std::size_t i = 0; i < set_.size(); ++i) room -= lies[i] && !set_.is_zone(i) ? set_.kind(i).area : 0;
     return room;
   }

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/marker/marker.h"
@@ -29,7 +30,8 @@ namespace selvage::nesting::filling {
 struct FillSettings {
   std::vector<double> values;  // by piece of the set; at least 0
   std::uint64_t seed{};
-  std::size_t map_bytes{};  // of the sampled maps
+  std::size_t map_bytes{};       // of the sampled maps
+  std::optional<double> room{};  // what pieces can cover, in square lattice units; none: all of the strip
   std::function<bool(std::uint64_t moves)> over;
   local_search::SearchTuning search{};
   FillTuning tuning{};

@@ -9,7 +9,7 @@ std::optional<Error> unmovable(const std::vector<Piece>& pieces, const std::stri
     const bool grouped = !piece.group.empty();
     if (piece.rules.zone) {
       return Error{ErrorCode::kOutOfRange,
-                   "\"" + piece.id + "\" is a zone of the marker's own cloth; give the holes of the sheets instead",
+                   "\"" + piece.id + "\" is a zone of the marker's own cloth; give the zones of the sheets instead",
                    list + std::to_string(k) + "/rules/zone"};
     }
     return Error{ErrorCode::kOutOfRange,

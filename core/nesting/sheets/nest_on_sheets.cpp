@@ -224,13 +224,8 @@ class Driver {
     SheetNesting nesting{.layouts = {}, .left_over = {}, .moves = moves_, .programs = programs_};
     nesting.reason = converged ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
     for (const UsedSheet& used : used_) {
-      SheetLayout layout{used.kind, marker_};
-      layout.marker.strip = sheets_[used.kind].bare.strip;
-      layout.marker.unplaced.clear();
-      layout.marker.pieces = used.placed;
-      for (std::size_t k = 0; k < used.pieces.size(); ++k) {
-        layout.marker.pieces[k].buffer = pieces_[used.pieces[k]].buffer;
-      }
+      SheetLayout layout{used.kind, sheets_[used.kind].bare};
+      layout.marker.pieces.insert(layout.marker.pieces.end(), used.placed.begin(), used.placed.end());
       nesting.layouts.push_back(std::move(layout));
     }
     std::sort(left_.begin(), left_.end());

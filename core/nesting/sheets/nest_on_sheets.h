@@ -7,7 +7,7 @@
 //       while pieces are left over: bring them onto a sheet, in place of others that are worth less
 //       then: move pieces of the emptiest sheet to another, until it is empty
 //
-// Laws.  (1) Every sheet is valid, proved in integers, also against its outline and its holes.  (2) Every piece lies on
+// Laws.  (1) Every sheet is valid, proved in integers, also against its outline and its zones.  (2) Every piece lies on
 // one sheet or is left over.  (3) No more sheets are used than there are.  (4) The same input and settings give the
 // same answer, whatever the cache holds; with `elapsed` or when cancelled, the best so far.
 #pragma once
@@ -38,8 +38,8 @@ struct SheetSettings {
   NestTuning tuning{};
 };
 
-// A sheet that is used: the marker of the pieces on it.  Its strip is the sheet, or the bounding box of its outline,
-// and the positions count from the low corner of that.
+// A sheet that is used: the marker of its zones, and after them the pieces on it.  Its strip is the sheet, or the
+// bounding box of its outline, and the positions count from the low corner of that.
 struct SheetLayout {
   std::size_t sheet{};  // index of its kind
   Marker marker;

@@ -1,52 +1,73 @@
 #include "core/nesting/sheets/sheet.h"
 
-#include <algorithm>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
-#include "core/marker/clearance.h"
-#include "core/marker/placed_pieces.h"
 #include "core/outline/enclosed/container.h"
+#include "core/outline/set_operations.h"
 
 namespace selvage::nesting::sheets {
 namespace {
+
+using outline::enclosed::Container;
 
 Polygon moved(Polygon polygon, Vec by) {
   for (Vec& vertex : polygon) vertex = vertex + by;
   return polygon;
 }
 
-double area_of_polygon(const Polygon& polygon) {
-  return static_cast<double>(doubled_area(polygon)) / 2;
-}
+// Adds zones with ids that neither a shape nor a piece of the marker has.
+class ZoneAdder {
+ public:
+  ZoneAdder(Marker& to, const Marker& named) : to_{to} {
+    for (const Shape& shape : named.shapes) used_.insert(shape.id);
+    for (const auto* pieces : {&named.pieces, &named.unplaced}) {
+      for (const Piece& piece : *pieces) used_.insert(piece.id);
+    }
+  }
 
-void add_wall(Marker& marker, const Polygon& polygon, const std::string& id) {
-  Shape shape;
-  shape.id = id;
-  shape.outline = polygon;
-  Piece piece;
-  piece.id = id;
-  piece.shape = ShapeId{static_cast<std::uint32_t>(marker.shapes.size())};
-  piece.locked = true;
-  piece.overlap = 0;
-  marker.shapes.push_back(std::move(shape));
-  marker.pieces.push_back(std::move(piece));
-}
+  void add(Polygon outline, const std::string& name, std::optional<marker::Quality> quality) {
+    std::size_t& number = numbers_[name];
+    std::string id;
+    do id = name + " " + std::to_string(++number);
+    while (used_.contains(id));
+    to_.pieces.push_back({.id = id,
+                          .shape = {static_cast<std::uint32_t>(to_.shapes.size())},
+                          .orientation = {},
+                          .at = {},
+                          .locked = true,
+                          .rules = {.zone = true, .quality = quality}});
+    to_.shapes.push_back({.id = id, .outline = std::move(outline), .tilt_limit = {}});
+  }
+
+ private:
+  Marker& to_;
+  std::set<std::string> used_;
+  std::map<std::string, std::size_t> numbers_;  // the last one of each name
+};
 
 }  // namespace
 
-Sheet sheet_within(const Polygon& outline, std::vector<Polygon> holes) {
+Sheet sheet_within(const Polygon& outline, std::vector<SheetZone> zones) {
   const Box box = box_of(outline);
   const Vec by = -box.low;
   Sheet sheet{.width = box.height(), .length = box.width(), .outline = moved(outline, by)};
-  for (Polygon& hole : holes) sheet.holes.push_back(moved(std::move(hole), by));
+  for (SheetZone& zone : zones) sheet.zones.push_back({moved(std::move(zone.outline), by), zone.quality});
   return sheet;
 }
 
 double area_of(const Sheet& sheet) {
-  double area = sheet.outline ? area_of_polygon(*sheet.outline)
-                              : static_cast<double>(sheet.width) * static_cast<double>(sheet.length);
-  for (const Polygon& hole : sheet.holes) area -= area_of_polygon(hole);
+  std::vector<Polygon> taken;
+  if (sheet.outline) taken = Container{*sheet.outline}.walls;
+  for (const SheetZone& zone : sheet.zones) {
+    if (!zone.quality) taken.push_back(zone.outline);
+  }
+  double area = 0;
+  for (const outline::Region& region : outline::left_over({{0, 0}, {sheet.length, sheet.width}}, taken)) {
+    area += area_of(region);
+  }
   return area;
 }
 
@@ -58,41 +79,24 @@ Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
   if (room.width() <= 0 || room.height() <= 0) {
     return Error{ErrorCode::kOutOfRange, "the sheet has no room between its margins", ""};
   }
-  if (!sheet.plain() && room != Box{{0, 0}, {sheet.length, sheet.width}}) {
+  if (sheet.outline && room != Box{{0, 0}, {sheet.length, sheet.width}}) {
     return Error{ErrorCode::kOutOfRange,
-                 "an outline or holes are given, and the marker has a margin; sheets with an outline or holes are "
-                 "allowed for markers without one: give the pieces buffers instead",
-                 sheet.outline ? "/outline" : "/holes"};
+                 "is given, and the marker has a margin; sheets with an outline are allowed for markers without one",
+                 "/outline"};
   }
   Marker result = marker;
   result.pieces.clear();
   result.unplaced.clear();
   result.strip = strip;
-  if (sheet.plain()) return result;
-  result.spacing = 0;
+  ZoneAdder zones{result, marker};
   if (sheet.outline) {
-    const outline::enclosed::Container container{*sheet.outline};
-    for (const Polygon& wall : container.walls) {
-      add_wall(result, wall, "wall " + std::to_string(result.pieces.size() + 1) + " of the sheet");
-    }
+    Container inside{*sheet.outline};
+    for (Polygon& wall : inside.walls) zones.add(std::move(wall), "sheet edge", {});
   }
-  const std::size_t walls = result.pieces.size();
-  for (const Polygon& hole : sheet.holes) {
-    const std::size_t index = result.pieces.size() - walls;
-    add_wall(result, hole, "hole " + std::to_string(index + 1) + " of the sheet");
-    const marker::PlacedPieces pieces{result};
-    if (all_clear(pieces, result.strip)) continue;
-    return Error{ErrorCode::kOutOfRange,
-                 "overlaps another hole or reaches beyond the sheet; holes inside the sheet that at most touch are "
-                 "allowed",
-                 "/holes/" + std::to_string(index)};
+  for (const SheetZone& zone : sheet.zones) {
+    zones.add(zone.outline, zone.quality ? "sheet zone" : "sheet hole", zone.quality);
   }
   return result;
-}
-
-Piece on_sheet(Piece piece, const Marker& marker, const Sheet& sheet) {
-  if (!sheet.plain()) piece.buffer = std::max(piece.buffer, (marker.spacing + 1) / 2);
-  return piece;
 }
 
 }  // namespace selvage::nesting::sheets

@@ -58,12 +58,12 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
   Filled result{.used = present};
   std::vector<std::size_t> named = present.pieces;
   Marker start = sheet.bare;
-  const std::size_t walls = start.pieces.size();
+  const std::size_t zones = start.pieces.size();
   start.pieces.insert(start.pieces.end(), present.placed.begin(), present.placed.end());
   for (const std::size_t piece : more) {
     if (!sheet.fits[piece]) continue;
     named.push_back(piece);
-    start.unplaced.push_back(on_sheet(task.pieces[piece], task.marker, *sheet.sheet));
+    start.unplaced.push_back(task.pieces[piece]);
   }
   for (const std::size_t piece : present.pieces) result.value += task.values[piece];
   if (named.size() == present.pieces.size()) return result;
@@ -74,16 +74,17 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
   auto all = set ? start::on_shelves(endless, *set, std::vector<bool>(start.pieces.size(), true)) : set.error();
   if (!all) return result;  // the shelves would not fit the lattice
   all->strip = start.strip;
-  filling::FillSettings settings{.values = std::vector<double>(walls),
+  filling::FillSettings settings{.values = std::vector<double>(zones),
                                  .seed = task.seed,
                                  .map_bytes = task.tuning.map_bytes,
+                                 .room = sheet.area,
                                  .over = task.over,
                                  .search = task.tuning.search,
                                  .tuning = task.tuning.fill};
   for (const std::size_t piece : named) settings.values.push_back(task.values[piece]);
   std::vector<bool> lies = filling::pieces_before(*all, *start.strip.last());
   if (!is_valid(filling::with_lying_pieces(*all, lies))) {  // shelves do not always keep bands and shades
-    std::fill(lies.begin() + static_cast<std::ptrdiff_t>(walls + present.placed.size()), lies.end(), false);
+    std::fill(lies.begin() + static_cast<std::ptrdiff_t>(zones + present.placed.size()), lies.end(), false);
   }
   const filling::Filling done = fill({.marker = *std::move(all), .lies = std::move(lies)}, *set, settings, run);
 
@@ -92,9 +93,9 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
             .moves = done.moves,
             .programs = done.programs};
   for (std::size_t k = 0; k < named.size(); ++k) {
-    if (!done.lies[walls + k]) continue;
+    if (!done.lies[zones + k]) continue;
     result.used.pieces.push_back(named[k]);
-    result.used.placed.push_back(done.marker.pieces[walls + k]);
+    result.used.placed.push_back(done.marker.pieces[zones + k]);
   }
   return result;
 }

@@ -52,7 +52,9 @@ void judge_sheets(const protocol::calls::MethodAnswer& answer) {
     const auto read = protocol::formats::read_document(sheet["marker"]);
     demand(static_cast<bool>(read), "the marker of a sheet cannot be read");
     demand(is_valid(read->marker), "the marker of a sheet is not valid");
-    for (const Piece& piece : read->marker.pieces) ids.push_back(piece.id);
+    for (const Piece& piece : read->marker.pieces) {
+      if (!piece.rules.zone) ids.push_back(piece.id);
+    }
   }
   for (const Json& id : answer.fields["leftOver"]) ids.push_back(id.get<std::string>());
   judge_ids(std::move(ids));

@@ -19,6 +19,8 @@ namespace {
 
 using terminal::ExitCode;
 
+constexpr std::string_view kBinsOfFile = "bins";
+
 bool has_only(std::string_view text, std::string_view allowed) {
   return !text.empty() && text.find_first_not_of(allowed) == std::string_view::npos;
 }
@@ -61,7 +63,7 @@ std::variant<Json, terminal::Failure> sheets_of(const std::string& text) {
   if (auto sheets = sheets_of_sizes(text)) return *std::move(sheets);
   return terminal::bad_usage("--sheets: \"" + text +
                              "\" is neither a list of sizes such as 1500x3000*4,1200x800 nor JSON such as "
-                             "[{\"width\":1500,\"length\":3000,\"count\":4}]");
+                             "[{\"width\":1500,\"length\":3000,\"count\":4}], nor the word bins");
 }
 
 // "laid.json" becomes "laid-2.json".
@@ -138,7 +140,8 @@ command_line::Option sheets_option() {
           .kind = command_line::Kind::kText,
           .meaning =
               "Nest on sheets of these sizes instead, WIDTHxLENGTH*COUNT,...; or the sheets of marker.nestSheets as "
-              "JSON.  Every sheet that is used is written to a file with its number in the name",
+              "JSON; or those of a jagua-rs instance: bins.  Every sheet that is used is written to a file with its "
+              "number in the name",
           .placeholder = "SIZES"};
 }
 
@@ -151,9 +154,11 @@ ExitCode nest_on_sheets(Json params, const MarkerFiles& files, const command_lin
     return report(terminal::bad_usage("with --sheets there may be several results, which cannot be standard output"));
   }
   if (const auto failure = check_sheet_names(files)) return report(*failure);
-  auto sheets = sheets_of(values.text("sheets"));
-  if (const auto* failure = std::get_if<terminal::Failure>(&sheets)) return report(*failure);
-  params["sheets"] = std::get<Json>(std::move(sheets));
+  if (const std::string& text = values.text("sheets"); text != kBinsOfFile) {
+    auto sheets = sheets_of(text);
+    if (const auto* failure = std::get_if<terminal::Failure>(&sheets)) return report(*failure);
+    params["sheets"] = std::get<Json>(std::move(sheets));
+  }
   const bool json = values.flag("json");
   const auto ran =
       run_method("marker.nestSheets", std::move(params), files, json ? Report::kJsonLine : Report::kSummary);

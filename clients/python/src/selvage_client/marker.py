@@ -63,7 +63,7 @@ class AsyncMarker(AsyncMotions):
 
     async def nest_sheets(
         self,
-        sheets: Iterable[Mapping[str, Any]],
+        sheets: Iterable[Mapping[str, Any]] | None = None,
         *,
         accuracy: str | None = None,
         moves: int | None = None,
@@ -74,11 +74,12 @@ class AsyncMarker(AsyncMotions):
     ) -> NestedSheets:
         """Nests all pieces on as few of the sheets as the search manages to.  The marker itself does not change.
 
-        A sheet is {"width": W, "length": L, "count": N} or {"outline": [[x, y], ...], "holes": [...]}.
+        A sheet is {"width": W, "length": L, "count": N} or {"outline": [[x, y], ...], "holes": [...], "zones": [...]}.
+        Without sheets, the bins of the opened instance are used.
         """
         answer = await self._call(
             "marker.nestSheets",
-            sheets=[dict(sheet) for sheet in sheets],
+            sheets=None if sheets is None else [dict(sheet) for sheet in sheets],
             accuracy=accuracy,
             moves=moves,
             seconds=seconds,

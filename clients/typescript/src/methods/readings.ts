@@ -62,13 +62,13 @@ export type MatchFault = {
 
 /** A sheet that is used, with the pieces on it. */
 export type NestedSheet = {
-  /** Index of its kind in the parameter. */
+  /** Index of its kind in the parameter, or among the bins that are in stock. */
   sheet: number;
   /** Number of pieces on it. */
   pieces: number;
   /** The pieces' area divided by that of the sheet, 0 to 1. */
   utilisation: number;
-  /** A native document: the strip is the sheet or, with an outline, its bounding box; positions are measured from its lower left corner. */
+  /** A native document: the strip is the sheet or, with an outline, its bounding box; positions are measured from its lower left corner.  What pieces may not cover are its zones. */
   marker: MarkerDocument;
 };
 
@@ -114,8 +114,18 @@ export type Sheet = {
   outline?: Array<Point>;
   /** Outlines of holes and faults that no piece may cover. */
   holes?: Array<Array<Point>>;
+  /** Parts of another quality, as the zones of a marker. */
+  zones?: Array<SheetZone>;
   /** How many of these sheets there are, 1 to 1,000. */
   count?: number;
+};
+
+/** A part of a sheet that only pieces which accept its quality may cover. */
+export type SheetZone = {
+  /** Its corners [x, y]. */
+  outline: Array<Point>;
+  /** The quality class of its cloth; absent: one that no piece accepts. */
+  quality?: number;
 };
 
 /** What tilting a piece would gain. */
@@ -270,8 +280,8 @@ export interface ReadingMethods {
     params: {
       /** The marker's id. */
       markerId: string;
-      /** The kinds of sheets that there are, 1 to 100. */
-      sheets: Array<Sheet>;
+      /** The kinds of sheets that there are, 1 to 100; absent: the bins of the opened file. */
+      sheets?: Array<Sheet>;
       /** A budget in seconds by name: draft is 2 seconds, standard 20, fine 120.  Not together with seconds. */
       accuracy?: Accuracy;
       /** The budget of a search in moves of a piece; 20,000 when absent, without limit when a time is given. */

@@ -41,7 +41,9 @@ SheetNesting laid(const Marker& marker, const std::vector<Sheet>& sheets, std::u
 std::multiset<std::string> ids_of(const SheetNesting& nesting) {
   std::multiset<std::string> ids;
   for (const SheetLayout& layout : nesting.layouts) {
-    for (const Piece& piece : layout.marker.pieces) ids.insert(piece.id);
+    for (const Piece& piece : layout.marker.pieces) {
+      if (!piece.rules.zone) ids.insert(piece.id);
+    }
   }
   for (const Piece& piece : nesting.left_over) ids.insert(piece.id);
   return ids;
@@ -55,16 +57,19 @@ std::multiset<std::string> ids_of(const Marker& marker) {
   return ids;
 }
 
-// Whether no piece leaves the outline or covers a hole, tested corner by corner and edge by edge.
+// Whether no piece leaves the outline or covers a zone that it does not accept, tested corner by corner and edge by
+// edge.
 bool within_outline(const Marker& marker, const Sheet& sheet) {
   const marker::PlacedPieces pieces{marker};
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+    if (pieces.is_zone(i)) continue;
     const Polygon placed = placed_outline(marker, PieceId{i});
     for (const Vec corner : placed) {
       if (sheet.outline && locate(corner, *sheet.outline) == geometry::Location::kOutside) return false;
     }
-    for (const Polygon& hole : sheet.holes) {
-      const geometry::PlacedPolygon there{hole, box_of(hole), {}};
+    for (const SheetZone& zone : sheet.zones) {
+      if (zone.quality && marker.pieces[i].rules.quality >= zone.quality) continue;
+      const geometry::PlacedPolygon there{zone.outline, box_of(zone.outline), {}};
       if (marker::collide(pieces[i], there, 0)) return false;
     }
   }
@@ -147,7 +152,7 @@ TEST(Sheets, PiecesStayWithinAnOutlineAndOffItsHoles) {
   // An arrow head with a fault in its middle, away from the origin.
   const Polygon outline{{100'000, 0}, {1'500'000, 500'000}, {100'000, 1'000'000}, {400'000, 500'000}};
   const Polygon fault{{700'000, 450'000}, {800'000, 450'000}, {800'000, 550'000}, {700'000, 550'000}};
-  const Sheet sheet = sheet_within(outline, {fault});
+  const Sheet sheet = sheet_within(outline, {{fault}});
   EXPECT_EQ(sheet.length, 1'400'000);
   Marker marker = unplaced_pieces({rectangle(90'000, 60'000), {{0, 0}, {120'000, 0}, {0, 120'000}}}, 60, kWidth);
   for (const Coord spacing : {0, 2'001}) {
@@ -155,13 +160,56 @@ TEST(Sheets, PiecesStayWithinAnOutlineAndOffItsHoles) {
     const SheetNesting nesting = laid(marker, {sheet}, 1'500);
     ASSERT_EQ(nesting.layouts.size(), 1u);
     const Marker& found = nesting.layouts[0].marker;
-    EXPECT_GT(found.pieces.size(), 20u) << spacing;
+    EXPECT_GT(piece_count(found), 20u) << spacing;
     EXPECT_TRUE(is_valid(found)) << spacing;
     EXPECT_TRUE(within_outline(found, sheet)) << spacing;
     EXPECT_EQ(ids_of(nesting), ids_of(marker));
     EXPECT_EQ(found.spacing, spacing);
-    EXPECT_EQ(found.pieces[0].buffer, 0);
   }
+}
+
+TEST(Sheets, TheMarkerOfASheetKnowsItsForm) {
+  // A wedge: compacting what lies in it never moves a piece over its edges.
+  const Sheet sheet = sheet_within({{0, 0}, {1'000'000, 0}, {0, 1'000'000}}, {{rectangle(100'000, 100'000)}});
+  const Marker marker = unplaced_pieces({rectangle(90'000, 60'000)}, 6, kWidth);
+  const SheetNesting nesting = laid(marker, {sheet}, 200);
+  ASSERT_EQ(nesting.layouts.size(), 1u);
+  Marker found = nesting.layouts[0].marker;
+  EXPECT_EQ(found.pieces.size(), 2 + 6u);
+  EXPECT_EQ(found.pieces[0].id, "sheet edge 1");
+  EXPECT_EQ(found.pieces[1].id, "sheet hole 1");
+  ASSERT_TRUE(make_marker(found));
+  found.pieces.back().at = {900'000, 900'000};
+  EXPECT_FALSE(is_valid(found));
+}
+
+TEST(Sheets, OnlyPiecesThatAcceptItsQualityCoverAZone) {
+  // Each sheet has room for one piece, over a zone of class 3 that leaves room for none beside it.
+  const Sheet sheet{.width = 100'000,
+                    .length = 100'000,
+                    .zones = {{{{20'000, 20'000}, {80'000, 20'000}, {80'000, 80'000}, {20'000, 80'000}}, 3}},
+                    .count = 4};
+  Marker marker = unplaced_pieces({rectangle(60'000, 60'000)}, 4, kWidth);
+  marker.unplaced[1].rules.quality = 2;
+  marker.unplaced[2].rules.quality = 3;
+  marker.unplaced[3].rules.quality = 9;
+  const SheetNesting nesting = laid(marker, {sheet}, 500);
+  EXPECT_EQ(nesting.layouts.size(), 2u);
+  ASSERT_EQ(nesting.left_over.size(), 2u);
+  EXPECT_EQ(nesting.left_over[0].id, marker.unplaced[0].id);
+  EXPECT_EQ(nesting.left_over[1].id, marker.unplaced[1].id);
+  EXPECT_EQ(area_of(sheet), 1e10);
+}
+
+TEST(Sheets, HolesMayOverlapAndReachBeyondTheSheet) {
+  Sheet sheet = plain_sheet(100'000, 100'000);
+  sheet.zones = {{{{-50'000, 0}, {40'000, 0}, {40'000, 100'000}, {-50'000, 100'000}}},
+                 {{{20'000, 50'000}, {200'000, 50'000}, {200'000, 150'000}, {20'000, 150'000}}}};
+  EXPECT_EQ(area_of(sheet), 60'000.0 * 50'000.0);
+  const SheetNesting nesting = laid(unplaced_pieces({rectangle(60'000, 50'000)}, 2, kWidth), {sheet}, 200);
+  ASSERT_EQ(nesting.layouts.size(), 1u);
+  EXPECT_EQ(nesting.left_over.size(), 1u);
+  EXPECT_EQ(nesting.layouts[0].marker.pieces.back().at, (Vec{40'000, 0}));
 }
 
 TEST(Sheets, WithoutABudgetAreStillValid) {
@@ -196,12 +244,11 @@ TEST(Sheets, RefuseInvalidInput) {
   };
   EXPECT_EQ(refusal(marker, plain_sheet(0, kWidth)), "/sheets/1");
   Sheet holed = plain_sheet(kWidth, kWidth);
-  holed.holes = {{{0, 0}, {400, 0}, {400, 400}, {0, 400}}, {{200, 0}, {600, 0}, {600, 400}, {200, 400}}};
-  EXPECT_EQ(refusal(marker, holed), "/sheets/1/holes/1");
-  holed.holes.pop_back();
+  holed.zones = {{rectangle(400, 400)}};
   EXPECT_EQ(refusal(marker, holed), "");
   marker.strip.margin = 10;
-  EXPECT_EQ(refusal(marker, holed), "/sheets/1/holes");
+  EXPECT_EQ(refusal(marker, holed), "");
+  EXPECT_EQ(refusal(marker, sheet_within({{0, 0}, {kWidth, 0}, {0, kWidth}}, {})), "/sheets/1/outline");
   marker.strip.margin = 0;
   marker.unplaced[1].group = "g";
   EXPECT_EQ(refusal(marker, holed), "/unplaced/1/group");

@@ -1,0 +1,153 @@
+#include "protocol/methods/motions/sheet_params.h"
+
+#include <utility>
+
+#include "core/geometry/polygon.h"
+#include "protocol/formats/jagua/bins.h"
+
+namespace selvage::protocol::schema {
+
+using methods::motions::SheetOutline;
+
+Json Wire<SheetOutline>::write(const SheetOutline& value) {
+  Json corners = Json::array();
+  for (const calls::Point& corner : value.corners) corners.push_back(Wire<calls::Point>::write(corner));
+  return corners;
+}
+
+void Wire<SheetOutline>::read(const FieldAt& at, SheetOutline& value) {
+  value.corners = formats::read_points(at.fields.array(at.key), at.pointer(), at.mistake);
+}
+
+SheetOutline Wire<SheetOutline>::read_entry(const Json& value, const std::string& at, json::Mistake& mistake) {
+  if (value.is_array()) return {formats::read_points(value, at, mistake)};
+  mistake.add(ErrorCode::kWrongType, "is not a list; a list of corners [x, y] is allowed", at);
+  return {};
+}
+
+}  // namespace selvage::protocol::schema
+
+namespace selvage::protocol::methods::motions {
+namespace {
+
+using formats::jagua::Bin;
+using nesting::sheets::Sheet;
+using nesting::sheets::SheetZone;
+
+Result<Polygon> polygon_of(const std::vector<calls::Point>& given, Resolution resolution, const std::string& field) {
+  Polygon corners;
+  for (const calls::Point& corner : given) {
+    const auto at = calls::place_on_lattice(corner, resolution, field + "/" + std::to_string(corners.size()));
+    if (!at) return at.error();
+    corners.push_back(*at);
+  }
+  auto clean = geometry::clean_polygon(corners);
+  if (clean) return std::move(clean->polygon);
+  return Error{ErrorCode::kOutOfRange, "is not a simple polygon: " + clean.error().message, field};
+}
+
+Result<Sheet> rectangle_of(const SheetParams& params, Resolution resolution, const std::string& field) {
+  if (!params.width || !params.length) {
+    return Error{ErrorCode::kMissingField, "is missing; a sheet has a width and a length, or an outline",
+                 field + (params.width ? "/length" : "/width")};
+  }
+  const auto corner = calls::place_on_lattice({*params.length, *params.width}, resolution, field);
+  if (!corner) return corner.error();
+  // Both are rounded down.
+  return Sheet{.width = formats::overlap_on_lattice(*params.width, resolution),
+               .length = formats::overlap_on_lattice(*params.length, resolution)};
+}
+
+Result<std::vector<SheetZone>> zones_of(const SheetParams& params, Resolution resolution, const std::string& field) {
+  std::vector<SheetZone> zones;
+  for (std::size_t k = 0; params.holes && k < params.holes->size(); ++k) {
+    auto hole = polygon_of((*params.holes)[k].corners, resolution, field + "/holes/" + std::to_string(k));
+    if (!hole) return hole.error();
+    zones.push_back({*std::move(hole)});
+  }
+  for (std::size_t k = 0; params.zones && k < params.zones->size(); ++k) {
+    const SheetZoneParams& given = (*params.zones)[k];
+    auto zone = polygon_of(given.outline.corners, resolution, field + "/zones/" + std::to_string(k) + "/outline");
+    if (!zone) return zone.error();
+    zones.push_back({*std::move(zone), given.quality});
+  }
+  return zones;
+}
+
+Result<Sheet> sheet_of(const SheetParams& params, Resolution resolution, const std::string& field) {
+  auto zones = zones_of(params, resolution, field);
+  if (!zones) return zones.error();
+  Result<Sheet> sheet = Sheet{};
+  if (!params.outline) {
+    sheet = rectangle_of(params, resolution, field);
+    if (!sheet) return sheet;
+    sheet->zones = *std::move(zones);
+  } else if (params.width || params.length) {
+    return Error{ErrorCode::kOutOfRange,
+                 "is given together with a width or a length; a sheet has either an outline or both of these",
+                 field + "/outline"};
+  } else {
+    const auto outline = polygon_of(params.outline->corners, resolution, field + "/outline");
+    if (!outline) return outline.error();
+    sheet = nesting::sheets::sheet_within(*outline, *std::move(zones));
+  }
+  sheet->count = params.count;
+  return sheet;
+}
+
+Result<Polygon> polygon_of(const formats::jagua::BinPolygon& given, Resolution resolution) {
+  std::vector<calls::Point> corners;
+  for (const document::Spot& corner : given.corners) corners.push_back({corner.x, corner.y});
+  return polygon_of(corners, resolution, given.field);
+}
+
+Result<Sheet> sheet_of(const Bin& bin, Resolution resolution) {
+  const auto outline = polygon_of(bin.outline, resolution);
+  if (!outline) return outline.error();
+  std::vector<SheetZone> zones;
+  for (const formats::jagua::BinZone& given : bin.zones) {
+    auto zone = polygon_of(given.outline, resolution);
+    if (!zone) return zone.error();
+    zones.push_back({*std::move(zone), given.quality});
+  }
+  Sheet sheet = nesting::sheets::sheet_within(*outline, std::move(zones));
+  if (bin.rectangle) sheet.outline.reset();  // it has no walls, and may have a margin
+  sheet.count = bin.count;
+  return sheet;
+}
+
+Result<GivenSheets> sheets_of_bins(const Json& listed, Resolution resolution) {
+  const auto bins = formats::jagua::read_bins(listed);
+  if (!bins) return bins.error();
+  if (bins->empty() || bins->size() > kMostSheets) {
+    return Error{ErrorCode::kOutOfRange,
+                 std::to_string(bins->size()) + " kinds of bins are in stock; 1 to 100 are allowed", "/bins"};
+  }
+  GivenSheets given{.sheets = {}, .field = "/bins"};
+  for (const Bin& bin : *bins) {
+    auto sheet = sheet_of(bin, resolution);
+    if (!sheet) return sheet.error();
+    given.sheets.push_back(*std::move(sheet));
+  }
+  return given;
+}
+
+}  // namespace
+
+Result<GivenSheets> sheets_of(const std::optional<std::vector<SheetParams>>& params, const MarkerFile& file) {
+  const Resolution resolution = file.marker.resolution;
+  if (!params) {
+    if (const Json* const bins = file.attributes.whole.find("bins")) return sheets_of_bins(*bins, resolution);
+    return Error{ErrorCode::kMissingField,
+                 "is missing, and the opened file has no bins; 1 to 100 kinds of sheets are allowed", "/sheets"};
+  }
+  GivenSheets given{.sheets = {}, .field = "/sheets"};
+  for (const SheetParams& one : *params) {
+    auto sheet = sheet_of(one, resolution, "/sheets/" + std::to_string(given.sheets.size()));
+    if (!sheet) return sheet.error();
+    given.sheets.push_back(*std::move(sheet));
+  }
+  return given;
+}
+
+}  // namespace selvage::protocol::methods::motions
