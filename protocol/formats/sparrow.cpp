@@ -11,15 +11,15 @@
 #include "protocol/formats/constraints.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/formats/jagua/bins.h"
+#include "protocol/formats/jagua/orientations.h"
 #include "protocol/json/fields.h"
 
 namespace selvage::protocol::formats {
 namespace {
 
-constexpr json::Range kPermissions{-360, 360};  // degrees
-constexpr json::Range kTurns{-1e6, 1e6};        // degrees or radians, any number of turns
-constexpr double kAngleSlack = 1e-3;            // degrees; a quarter turn in single precision is far closer than this
-constexpr double kTiltSlack = 5e-5;  // degrees; the same where a shape may tilt, and the difference may be a tilt
+constexpr json::Range kTurns{-1e6, 1e6};  // degrees or radians, any number of turns
+constexpr double kAngleSlack = 1e-3;      // degrees; a quarter turn in single precision is far closer than this
+constexpr double kTiltSlack = 5e-5;       // degrees; the same where a shape may tilt, and the difference may be a tilt
 
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
 std::string renamed(const std::string& pointer, const std::vector<bool>& filled) {
@@ -92,19 +92,6 @@ void read_outline(const Json& value, const std::string& at, DecimalShape& shape,
   }
 }
 
-std::vector<Angle> read_orientations(json::Fields& fields, json::Mistake& mistake) {
-  const Json* list = fields.maybe_array("allowed_orientations");
-  if (!list) return {};  // any
-  std::vector<Angle> rotations;
-  for (const Json& degrees : *list) {
-    if (mistake) break;
-    const std::string at = fields.pointer("allowed_orientations") + "/" + std::to_string(rotations.size());
-    rotations.push_back(Angle::of_degrees(checked_number(degrees, kPermissions, mistake, at)));
-  }
-  if (rotations.empty()) rotations.push_back(Angle{});  // jagua-rs: an empty list means no rotation
-  return rotations;
-}
-
 // The worst class of cloth that pieces of an item accept.  jagua-rs itself writes null where there is none.
 std::optional<marker::Quality> accepted_quality(json::Fields& fields) {
   if (const Json* const given = fields.maybe_any("min_quality"); given == nullptr || given->is_null()) return {};
@@ -117,16 +104,16 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   json::Fields fields{value, at, reading.mistake};
   DecimalShape shape;
   shape.shape.id = fields.id("id");
-  if (fields.has("orientation")) {
-    // To read such an item as one that may rotate freely would be a silent mistake.
-    reading.mistake.add(ErrorCode::kUnknownField, "permissions of jagua-rs 0.9 are not read; allowed_orientations is",
-                        fields.pointer("orientation"));
+  shape.shape.rotations = jagua::read_orientations(fields, reading.mistake);
+  if (jagua::permits_reflections(value)) {
+    reading.notes.push_back({fields.pointer(jagua::kOrientation), "pieces are not reflected"});
   }
-  shape.shape.rotations = read_orientations(fields, reading.mistake);
   shape.shape.tilt_limit = Angle::of_degrees(fields.number_or("tilt_limit_deg", 0, {0, 45}));
   read_outline(fields.object("shape"), fields.pointer("shape"), shape, reading);
   // Kept among the attributes, so that it is written back where it stood.
-  reading.attributes.shapes.push_back(fields.rest());
+  Json rest = fields.rest();
+  if (const Json* const form = value.find(jagua::kOrientation)) rest[jagua::kOrientation] = *form;
+  reading.attributes.shapes.push_back(std::move(rest));
   constexpr auto kMost = static_cast<std::int64_t>(marker::kMaxPieces);
   reading.demand.push_back(fields.maybe_integer("demand", 0, kMost).value_or(0));
   reading.accepted.push_back(accepted_quality(fields));
@@ -206,7 +193,8 @@ double width_of_bins(const Json& bins, Reading& reading) {
   }
   const double width = jagua::widest(*read);
   if (width >= kStripWidths.least && width <= kStripWidths.most) {
-    reading.notes.push_back({"/bins", "the strip is as wide as the widest bin; nest on sheets to use the bins"});
+    reading.notes.push_back(
+        {"/bins", "only nesting on sheets uses the bins; the strip is as wide as the widest of them"});
   } else {
     reading.mistake.add(ErrorCode::kOutOfRange, "hold no bin of a size that a strip may have", "/bins");
   }
@@ -343,9 +331,10 @@ Json item_json(const Marker& marker, const Shape& shape, std::uint64_t id, std::
   add_attributes(item, attributes);
   item["demand"] = copies;
   if (tilting) item["tilt_limit_deg"] = shape.tilt_limit.degrees;
-  if (!shape.rotations.empty()) {
-    Json& allowed = item["allowed_orientations"] = Json::array();
-    for (const Angle angle : shape.rotations) allowed.push_back(angle.degrees);
+  if (const Json* const form = attributes.find(jagua::kOrientation)) {
+    item[jagua::kOrientation] = jagua::orientation_json(*form, shape.rotations);
+  } else if (!shape.rotations.empty()) {
+    item["allowed_orientations"] = jagua::angles_json(shape.rotations);
   }
   item["shape"] = {{"type", "simple_polygon"}, {"data", outline_json(shape.outline, marker.resolution)}};
   return item;

@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
                              "/items/0/shape/type"},
                     BadInput{"PermissionBeyondATurn", "/items/0/allowed_orientations/1", "400", kOutOfRange,
                              "/items/0/allowed_orientations/1"},
-                    BadInput{"LaterPermissions", "/items/0/orientation", "{}", kUnknownField, "/items/0/orientation"},
+                    BadInput{"TwoPermissions", "/items/0/orientation", "{}", kOutOfRange, "/items/0/orientation"},
                     BadInput{"ItemUnknown", "/solution/layout/placed_items/1/item_id", "8", kUnknownShape,
                              "/solution/layout/placed_items/1/item_id"},
                     BadInput{"RotationNotAllowed", "/solution/layout/placed_items/1/transformation/rotation", "45",
