@@ -156,7 +156,7 @@ Outcome run_on(OpenMarker& marker, const Method& method, const ParsedCall& call,
     if (round.bound) reported.bound = to_decimal(*round.bound, resolution);
     caller.on_round(reported);
   };
-  auto answer = call.run(*now.file, {run, nullptr, [&limit] { return limit.is_up(); }});
+  auto answer = call.run(*now.file, {run, nullptr, [&limit] { return limit.is_up(); }, {}, limit.left()});
   if (!answer) return error_of_run(method, answer.error(), limit);
   if (caller.stop.stop_requested()) return protocol::calls::abandoned();
   if (call.about.timing) protocol::calls::add_times(answer->fields, timer.times(now_ms()), context.sums.counts());

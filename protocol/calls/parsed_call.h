@@ -2,6 +2,7 @@
 #pragma once
 
 #include <any>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -26,6 +27,8 @@ struct MethodContext {
   std::function<bool()> past_deadline = [] { return false; };
   // The stored markers that are most similar to an order, at most this many.  Empty if there is no library.
   std::function<std::vector<MarkerFile>(const Marker& order, std::size_t most)> library{};
+  // From when the run begins to its deadline; none if there is no deadline.
+  std::optional<std::chrono::duration<double>> time_left{};
 };
 [[nodiscard]] std::shared_ptr<const scene::LaidOut> laid_out(const Marker& marker, const MethodContext& context);
 [[nodiscard]] StopCause stop_cause(scene::StopReason reason, const MethodContext& context);

@@ -9,6 +9,7 @@ TimeLimit::TimeLimit(std::stop_token caller, Clock::time_point begin,
     : on_caller_{std::move(caller), [this] { stop_.request_stop(); }} {
   if (!limit) return;
   const auto end = begin + std::chrono::duration_cast<Clock::duration>(*limit);
+  end_ = end;
   waiter_ = std::jthread{[this, end](const std::stop_token& over) {
     std::unique_lock lock{mutex_};
     ended_.wait_until(lock, over, end, [] { return false; });
@@ -16,6 +17,11 @@ TimeLimit::TimeLimit(std::stop_token caller, Clock::time_point begin,
     up_.request_stop();
     stop_.request_stop();
   }};
+}
+
+std::optional<std::chrono::duration<double>> TimeLimit::left() const {
+  if (!end_) return std::nullopt;
+  return *end_ - Clock::now();
 }
 
 }  // namespace selvage::protocol::execution

@@ -116,7 +116,8 @@ class Json {
   [[nodiscard]] const Json* find(std::string_view key) const;  // null when there is no such field
   [[nodiscard]] Json* find(std::string_view key);
   [[nodiscard]] bool contains(std::string_view key) const { return find(key) != nullptr; }
-  // The field, made when it is missing; a null becomes an object.  REQUIRES: null or an object.
+  // The field, made when it is missing, which invalidates references to the others; a null becomes an object.
+  // REQUIRES: null or an object.
   [[nodiscard]] Json& operator[](std::string_view key);
   [[nodiscard]] Json& operator[](const char* key) { return (*this)[std::string_view{key}]; }
   // The field, or null when there is none.

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <utility>
 
@@ -36,6 +37,9 @@ class OpenCall {
   // If there are several causes, abandonment takes precedence over the deadline, and the deadline over draining.
   [[nodiscard]] StopCause stop_cause() const;
   [[nodiscard]] bool abandoned() const { return is_abandoned(stop_cause()); }
+
+  // The time until its deadline; none if it has none.
+  [[nodiscard]] std::optional<jobs::DeadlineClock::Duration> time_left() const { return deadline_.left(); }
 
   // The call's turn has come: from now on its deadline only stops it.  Returns false if it has been answered already.
   [[nodiscard]] bool begin();

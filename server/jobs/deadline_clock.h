@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -31,6 +32,11 @@ class DeadlineClock {
     }
     ~Alarm() {
       if (clock_) clock_->remove(key_);
+    }
+
+    // The time until it; none when it was never set.
+    [[nodiscard]] std::optional<Duration> left() const {
+      return clock_ ? std::optional{key_.first - clock_->now()} : std::nullopt;
     }
 
    private:

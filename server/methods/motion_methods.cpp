@@ -51,7 +51,7 @@ Result<MethodAnswer> run(const ParsedCall& parsed, const store::Committed& now, 
   const auto library = [&server](const Marker& order, std::size_t most) {
     return server.library.markers_near(order, most);
   };
-  auto answer = parsed.run(*now.file, {run, now.laid_out.get(), past_deadline, library});
+  auto answer = parsed.run(*now.file, {run, now.laid_out.get(), past_deadline, library, call.time_left()});
   if (answer && parsed.about.timing) {
     protocol::calls::add_times(answer->fields, timer.times(now_ms()), server.sums.counts());
   }

@@ -39,8 +39,9 @@ std::variant<Outcome, terminal::Failure> run_locally(const Invocation& invocatio
   if (invocation.method.name == kApply) return apply_locally(invocation);
   SumCache sums;
   const scene::Run run{sums, limit.token(), progress.observer(), &executor};
-  auto answer = invocation.call.run(invocation.file,
-                                    protocol::calls::MethodContext{run, nullptr, [&limit] { return limit.is_up(); }});
+  auto answer = invocation.call.run(
+      invocation.file,
+      protocol::calls::MethodContext{run, nullptr, [&limit] { return limit.is_up(); }, {}, limit.left()});
   const protocol::execution::StageTimes times = progress.finish();
   if (!answer) return failure_of_run(invocation.method, answer.error());
   const bool changed = answer->next.has_value();

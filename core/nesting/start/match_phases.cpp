@@ -62,7 +62,9 @@ void give_back_rules(Marker& marker, const Marker& original) {
     for (const Piece& piece : *pieces) rules.emplace(piece.id, &piece.rules);
   }
   for (auto* pieces : {&marker.pieces, &marker.unplaced}) {
-    for (Piece& piece : *pieces) piece.rules = *rules.at(piece.id);
+    for (Piece& piece : *pieces) {
+      if (const auto found = rules.find(piece.id); found != rules.end()) piece.rules = *found->second;
+    }
   }
 }
 

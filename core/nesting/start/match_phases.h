@@ -14,7 +14,8 @@ namespace selvage::nesting::start {
 // room.  Nothing when there are no such pieces.
 [[nodiscard]] std::optional<Marker> with_sets_matched_to_cloth(const Marker& marker);
 
-// Gives the pieces of a marker back the rules that they have in another one.  REQUIRES: it has all of them, by id.
+// Gives the pieces of a marker back the rules that they have in another one, by id.  Those that it does not have, such
+// as the zones of a sheet, keep their rules.
 void give_back_rules(Marker& marker, const Marker& original);
 
 }  // namespace selvage::nesting::start

@@ -1,5 +1,4 @@
 // motion.compact: shortens the marker [Li94 4.1].
-#include <chrono>
 #include <cstdint>
 #include <limits>
 
@@ -22,12 +21,12 @@ struct CompactParams {
 };
 
 // With a deadline the search continues until then.
-search::RefineSettings search_settings(const calls::CommonParams& call) {
+search::RefineSettings search_settings(const calls::CommonParams& call, const calls::MethodContext& context) {
   search::RefineSettings settings = search::refine_settings();
-  if (call.deadline_ms) {
+  if (call.deadline_ms && context.time_left) {
     settings.effort = settings.least_effort = std::numeric_limits<std::uint64_t>::max();
     settings.most_pieces_swapped = marker::kMaxPieces;
-    settings.elapsed = elapsed_within(std::chrono::duration<double, std::milli>{*call.deadline_ms});
+    settings.elapsed = elapsed_within(*context.time_left);
   }
   return settings;
 }
@@ -38,7 +37,7 @@ Result<calls::Motion<calls::RoundsResult>> run_compact(const CompactParams& para
   const calls::Effort& effort = params.effort;
   const bool search =
       effort.accuracy == motion::compaction::Accuracy::kFine && !effort.rounds && !effort.simplification;
-  auto done = search ? search::refine(start, search_settings(params.call), context.run)
+  auto done = search ? search::refine(start, search_settings(params.call, context), context.run)
                      : compact(start, settings_of(effort), context.run);
   if (!done) return done.error();
   return calls::Motion<calls::RoundsResult>{{std::move(done->marker), done->repair},

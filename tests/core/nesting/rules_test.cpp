@@ -322,13 +322,15 @@ TEST(RulesInNesting, SheetsKeepTheRules) {
     sheet.width = marker.strip.width;
     sheet.length = std::max<Coord>(marker.strip.width / 2, length_of(marker) * 2 / 3);
     sheet.count = 2;
+    sheet.zones = {{test::rectangle(sheet.width / 20, sheet.width / 20)}};
     SumCache sums;
     const auto done = sheets::nest_on_sheets(marker, {&sheet, 1}, {.moves = 200, .seed = 1}, {sums});
     ASSERT_TRUE(done) << done.error().message;
     std::size_t pieces = done->left_over.size();
     for (const sheets::SheetLayout& layout : done->layouts) {
       EXPECT_TRUE(is_valid(layout.marker)) << trial;
-      pieces += layout.marker.pieces.size();
+      EXPECT_TRUE(layout.marker.pieces[0].rules.zone);
+      pieces += piece_count(layout.marker);
     }
     EXPECT_EQ(pieces, marker.pieces.size());
   }

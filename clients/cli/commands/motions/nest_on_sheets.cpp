@@ -173,8 +173,9 @@ ExitCode nest_on_sheets(Json params, const MarkerFiles& files, const command_lin
     fields["sheets"][k].erase("marker");
   }
   if (json) {
-    fields["left_over"] = fields["leftOver"];
+    Json left_over = std::move(fields["leftOver"]);
     fields.erase("leftOver");
+    fields["left_over"] = std::move(left_over);
     std::cout << protocol::json::to_text(fields) << std::endl;
   } else {
     std::cout << summary_of(file.marker.name, fields) << std::flush;
