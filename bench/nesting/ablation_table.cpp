@@ -43,7 +43,7 @@ std::vector<Ablation> ablations() {
       {"markers are repaired, but not compacted", [](NestSettings& s) { s.tuning.compaction_rounds = 0; }},
       {"one start", [](NestSettings& s) { s.tuning.raced = 0; }},
       {"no compression in the end", [](NestSettings& s) { s.tuning.explored = 1; }},
-      {"no small rotations in the end", [](NestSettings& s) { s.turn = false; }},
+      {"no small rotations in the end", [](NestSettings& s) { s.tilts = false; }},
   };
 }
 

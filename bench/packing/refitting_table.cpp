@@ -42,7 +42,7 @@ auto timed(double seconds, const Motion& motion) {
 struct Options {
   std::string motion;
   std::vector<double> seconds;
-  packing::refitting::FillSettings fill;
+  packing::refitting::GapSettings fill;
   packing::refitting::ExactCompactionSettings windows;
 };
 

@@ -1,7 +1,7 @@
 // The instances of the daemon in which the ids of markers have their meaning.
 //
 // A daemon without a store gives the ids of markers to other markers when it is started again.  So the client remembers
-// the instance in which an id was told or first used, and never uses the id in another one before it is told again.
+// the instance that returned an id, or in which it was first used, and uses it in no other one before that returns it.
 #pragma once
 
 #include <map>

@@ -44,7 +44,7 @@ Exploration::Exploration(const layout::PieceSet& set, Marker best, local_search:
       search_{&search},
       best_{std::move(best)},
       length_{length_of(best_)},
-      worth_{(1 - tuning.least_gain) * static_cast<double>(length_)},
+      required_length_{(1 - tuning.least_gain) * static_cast<double>(length_)},
       least_length_{least_length(set, best_)},
       step_{tuning.first_step} {
   when_stalled(on_stall);
@@ -219,7 +219,7 @@ void Exploration::become_best(Marker marker) {
 bool Exploration::over() const {
   const std::uint64_t moves = search_->moves();
   if (moves >= until_ || budget_.over(moves)) return true;
-  if (moves >= tuning_.moves_in_vain && static_cast<double>(length_) >= worth_) return true;
+  if (moves >= tuning_.moves_in_vain && static_cast<double>(length_) >= required_length_) return true;
   return end_ && length_ > end_->last && budget_.used(moves) >= end_->patience;
 }
 

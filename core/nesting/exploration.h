@@ -60,7 +60,7 @@ class Exploration {
 
   // Builds the first layout, in which the `kept` pieces lie where `start` has them.
   void begin(layout::Layout start, const std::vector<bool>& kept);
-  // From now on, does this when it has stalled, but for what the tuning leaves out.
+  // Sets what it does once it has stalled.  A kind of turn that the tuning switches off is replaced by the other.
   void when_stalled(OnStall on_stall);
   // Searches until it has made this many more moves, the budget is used up, or nothing shorter is possible.
   void advance(std::uint64_t moves);
@@ -106,8 +106,8 @@ class Exploration {
   std::uint64_t until_{};        // moves of the search at which the present part ends
   Marker best_;
   Coord length_;
-  double worth_;         // a search whose best is not shorter than this has gained too little; lattice units
-  double least_length_;  // no marker is shorter; model units
+  double required_length_;  // to go on, the best marker must be shorter than this; lattice units
+  double least_length_;     // no marker is shorter; model units
   double step_;
   bool stalled_{};  // an attempt with the least step has failed
   bool walking_{};  // what the next turn does once it has stalled

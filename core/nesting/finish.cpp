@@ -32,7 +32,7 @@ Marker with_turns_in_rotations(Marker turned, const Marker& before) {
 
 }  // namespace
 
-bool may_turn(const Marker& marker) {
+bool may_tilt(const Marker& marker) {
   for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
     for (const Piece& piece : *pieces) {
       const bool allowed = turns_freely(marker, piece) || marker.shapes[piece.shape.value].tilt_limit > Angle{};

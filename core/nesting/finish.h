@@ -20,8 +20,8 @@ struct Finish {
   int programs{};
 };
 
-// Whether some piece of the marker may turn by a small angle.
-[[nodiscard]] bool may_turn(const Marker& marker);
+// Whether some piece of the marker may tilt.
+[[nodiscard]] bool may_tilt(const Marker& marker);
 
 // The marker made shorter by compaction with tilts [Li94 6.2]; nothing when that gains nothing.  `elapsed` as in
 // NestSettings: the motion is stopped when it reaches 1.  `rounds`: at most this many rounds of tilts; none: as many as

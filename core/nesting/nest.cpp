@@ -98,7 +98,7 @@ Searched search_in_batches(const Task& task, const Budget& budget, const std::fu
   const auto nest_batch = [&](const Marker& batch, std::size_t left) -> std::optional<Marker> {
     const std::uint64_t rest = settings.moves - std::min(settings.moves, searched.moves);
     batches::BatchShare share{rest, elapsed, batch.unplaced.size(), left};
-    NestSettings own{.moves = share.moves(), .seed = settings.seed + left, .turn = settings.turn};
+    NestSettings own{.moves = share.moves(), .seed = settings.seed + left, .tilts = settings.tilts};
     own.tuning = settings.tuning;
     if (!over()) own.tuning.most_pieces = std::max(own.tuning.most_pieces, batch.pieces.size() + batch.unplaced.size());
     if (elapsed) own.elapsed = [&share] { return share.used(); };
@@ -275,17 +275,17 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
   if (!first) return first.error();
 
   const bool searched_at_once =
-      start->set.size() <= settings.tuning.most_pieces;  // batches turn their pieces themselves
-  const bool turn = settings.turn && settings.moves > 0 && searched_at_once && may_turn(start->marker);
+      start->set.size() <= settings.tuning.most_pieces;  // batches tilt their pieces themselves
+  const bool tilts = settings.tilts && settings.moves > 0 && searched_at_once && may_tilt(start->marker);
   std::function<double()> elapsed = settings.elapsed;  // while pieces keep their tilts
-  if (elapsed && turn) elapsed = [&settings] { return settings.elapsed() / settings.tuning.searched; };
+  if (elapsed && tilts) elapsed = [&settings] { return settings.elapsed() / settings.tuning.searched; };
   BestOfAll best_of_all{run.observer, kLatticeLimit};
   const NestSettings of_search = of_each_search(settings);
   const Task task{start->marker, *first, start->set, of_search, values_of(start->marker, start->set, settings)};
   auto searched = search_all(task, elapsed, run, best_of_all);
 
   Nesting nesting = best_of(searched);
-  if (turn && nesting.left_over == 0 && !run.stopped()) {
+  if (tilts && nesting.left_over == 0 && !run.stopped()) {
     if (auto finish = finished(nesting.marker, start->set.fixed, settings.elapsed, run)) {
       nesting.marker = std::move(finish->marker);
       nesting.programs += finish->programs;

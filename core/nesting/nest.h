@@ -13,7 +13,7 @@
 // which moves groups as one.  (4) If the input places all pieces and is valid, and the search is not from scratch, the
 // answer is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and
 // however many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an
-// end, more moves never give a longer marker, before pieces turn by small angles and unless they are nested in batches.
+// end, more moves never give a longer marker, before pieces tilt and unless they are nested in batches.
 // (7) When `elapsed` reaches 1, the linear program that is being solved is the last one.
 #pragma once
 
@@ -37,7 +37,7 @@ struct NestSettings {
   std::uint64_t moves{};    // budget of every search
   std::size_t searches{1};  // the best answer counts; late in a time limit they go on from the best of all
   std::uint64_t seed{};
-  bool turn{true};  // finally rotates pieces by small angles, where their shapes allow it (finish.h)
+  bool tilts{true};  // finally tilts pieces, where their shapes allow it (finish.h)
   layout::PlacedPiecesMay placed{layout::PlacedPiecesMay::kMove};
   // Takes all pieces except locked ones and groups off the cloth first: the answer may then be longer than the input.
   bool from_scratch{};

@@ -16,9 +16,9 @@ class TimedRun {
   TimedRun(const scene::Run& run, std::function<double()> elapsed)
       : elapsed_{std::move(elapsed)}, with_outer_{run.stop, [this] { stop_.request_stop(); }}, run_{run} {
     run_.stop = stop_.get_token();
-    run_.observer.on_stage = [this, told = run.observer.on_stage](scene::Stage stage) {
+    run_.observer.on_stage = [this, outer = run.observer.on_stage](scene::Stage stage) {
       if (elapsed_ && elapsed_() >= 1) stop_.request_stop();
-      told(stage);
+      outer(stage);
     };
   }
   TimedRun(const TimedRun&) = delete;

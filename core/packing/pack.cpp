@@ -127,7 +127,7 @@ class Packer {
     settings.moves = nestings_ == 0 ? tuning.moves_a_piece * best_->pieces.size()
                                     : (packing_.work.nodes - nested_at_) / tuning.nodes_a_move;
     settings.seed = nestings_;
-    settings.turn = false;
+    settings.tilts = false;
     ++nestings_;
     nested_at_ = packing_.work.nodes;
     auto nested = nesting::nest(*best_, settings, run_.quiet());

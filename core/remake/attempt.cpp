@@ -47,7 +47,7 @@ class Attempting {
   }
 
   Draft tilted(Draft draft) {
-    if (!draft.marker || draft.loose || !nesting::may_turn(*draft.marker)) return draft;
+    if (!draft.marker || draft.loose || !nesting::may_tilt(*draft.marker)) return draft;
     attempt_ = std::move(draft.attempt);
     marker_ = *draft.marker;
     if (tilt()) {
@@ -131,7 +131,7 @@ class Attempting {
     const std::uint64_t pieces = std::max<std::uint64_t>(tuning.fewest_pieces, marker_.pieces.size());
     const std::uint64_t factor = settings_.fine ? tuning.fine_factor : 1;
     if (search == Search::kShort) return factor * tuning.short_work / pieces;
-    const std::uint64_t per_piece = (nesting::may_turn(marker_) ? 1 : tuning.untilted_factor) * tuning.moves_per_piece;
+    const std::uint64_t per_piece = (nesting::may_tilt(marker_) ? 1 : tuning.untilted_factor) * tuning.moves_per_piece;
     return factor * std::max(per_piece * pieces, tuning.work / pieces);
   }
 
@@ -143,12 +143,12 @@ class Attempting {
     settings.tuning.bold_patience = settings_.tuning.bold_patience;
     settings.tuning.first_step = settings_.tuning.first_step;
     settings.tuning.search.stretch = settings_.tuning.stretch;
-    settings.turn = false;
+    settings.tilts = false;
     auto nested = nesting::nest(from, settings, run_.quiet());
     if (!nested || length_of(nested->marker) >= length_of(from)) return;
     attempt_.programs += nested->programs;
     std::swap(marker_, nested->marker);
-    if (nesting::may_turn(marker_) && !run_.stopped()) (void)tilt();
+    if (nesting::may_tilt(marker_) && !run_.stopped()) (void)tilt();
     if (length_of(marker_) < length_of(nested->marker)) {
       record(StepKind::kRearranged, 0, true);
     } else {
@@ -157,7 +157,7 @@ class Attempting {
   }
 
   void move_trims() {
-    packing::refitting::FillSettings settings;
+    packing::refitting::GapSettings settings;
     settings.trials = settings_.tuning.trim_trials;
     auto filled = packing::refitting::fill_gaps(marker_, settings, run_.quiet());
     if (!filled) return;

@@ -13,7 +13,7 @@ Renesting renest(Found& found, const RenestingSettings& settings, const scene::R
   nest_settings.elapsed = settings.elapsed;
   nest_settings.tuning.moves_in_vain = settings.moves_in_vain;
   nest_settings.tuning.least_gain = settings.least_gain;
-  nest_settings.turn = false;  // refinement tilts by itself
+  nest_settings.tilts = false;  // refinement tilts by itself
   Marker start = found.marker;
   start.unplaced.clear();
   auto nested = nest(start, nest_settings, run.quiet());

@@ -73,8 +73,7 @@ struct Choices<motion::repair::TargetRule> {
   static constexpr std::string_view kName = "TargetRule";
   static constexpr std::string_view kMeaning =
       "How motion.separate chooses the target of an overlapping pair: the nearest point where the two are apart, or "
-      "the "
-      "point on the ray from the kernel of their Minkowski sum.";
+      "the point on the ray from the kernel of their Minkowski sum.";
   static constexpr std::string_view kWords[] = {"nearest", "kernel_ray"};
 };
 

@@ -27,8 +27,7 @@ inline constexpr std::string_view kLengthMeaning = "The x coordinate where the r
 inline constexpr std::string_view kUtilisationMeaning = "The pieces' area divided by width times length, 0 to 1.";
 inline constexpr std::string_view kValidMeaning =
     "Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, "
-    "and "
-    "no rule broken.";
+    "and no rule broken.";
 inline constexpr std::string_view kStopMeaning = "Why the motion ended.";
 inline constexpr std::string_view kPieceMeaning = "The piece's id.";
 
@@ -97,13 +96,15 @@ struct Overlap {
 [[nodiscard]] std::vector<Overlap> overlaps_of(const Marker& marker, const std::vector<marker::Overlap>& overlaps);
 
 struct Protrusion {
-  static constexpr std::string_view kName = "Protrusion", kMeaning = "A piece that extends beyond the strip.";
+  static constexpr std::string_view
+      kName = "Protrusion",
+      kMeaning = "A piece that extends beyond the strip, or beyond the room that its rules leave it.";
   std::string piece;
   double by{};
 
   static void describe(auto& v, auto& self) {
     v.required("piece", self.piece, kPieceMeaning);
-    v.required("by", self.by, "How far it extends beyond the strip.");
+    v.required("by", self.by, "How far it extends beyond that.");
   }
 };
 [[nodiscard]] std::vector<Protrusion> protrusions_of(const Marker& marker,

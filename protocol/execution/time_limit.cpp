@@ -24,4 +24,11 @@ std::optional<std::chrono::duration<double>> TimeLimit::left() const {
   return *end_ - Clock::now();
 }
 
+std::function<double()> elapsed_within(std::chrono::duration<double> limit) {
+  return [start = std::chrono::steady_clock::now(), limit] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    return limit.count() > 0 ? passed / limit : 1;
+  };
+}
+
 }  // namespace selvage::protocol::execution

@@ -1,4 +1,5 @@
-// Stops a run when its time is up or its caller requests it.
+// Limits on time: an object that stops a run when its time is up or its caller requests it, and the part of a limit
+// that has passed.
 #pragma once
 
 #include <chrono>
@@ -33,5 +34,8 @@ class TimeLimit {
   std::condition_variable_any ended_;
   std::jthread waiter_;  // joined before what it uses is gone
 };
+
+// The part of a limit that has passed since this call; 1 or more when the limit has been reached.
+[[nodiscard]] std::function<double()> elapsed_within(std::chrono::duration<double> limit);
 
 }  // namespace selvage::protocol::execution

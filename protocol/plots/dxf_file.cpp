@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <span>
@@ -198,7 +199,7 @@ class DxfWriter {
     }
     write_permissions(shape, at, flipped);
     write_outline(outline);
-    write_annotations(scaled_annotations(k, flipped));
+    write_annotations(annotations_of_block(k, flipped));
     entity("ENDBLK", 0);
   }
 
@@ -226,13 +227,13 @@ class DxfWriter {
       const Vec before = outline[(k + outline.size() - 1) % outline.size()], here = outline[k];
       const Vec after = outline[(k + 1) % outline.size()];
       const auto angle = [](Vec v) { return std::atan2(static_cast<double>(v.y), static_cast<double>(v.x)); };
-      const double turn = std::remainder(angle(after - here) - angle(here - before), 2 * 3.14159265358979323846);
-      entity("POINT", std::abs(turn) * 180 / 3.14159265358979323846 > kSharp ? 2 : 3);
+      const double turn = std::remainder(angle(after - here) - angle(here - before), 2 * std::numbers::pi);
+      entity("POINT", std::abs(turn) * 180 / std::numbers::pi > kSharp ? 2 : 3);
       point(10, decimal(here));
     }
   }
 
-  [[nodiscard]] document::Annotations scaled_annotations(std::size_t k, bool flipped) const {
+  [[nodiscard]] document::Annotations annotations_of_block(std::size_t k, bool flipped) const {
     document::Annotations annotations = document::annotations_of(file_.attributes.shapes[k]);
     if (flipped) annotations = document::placed(annotations, {true, 0, {}});
     return annotations;

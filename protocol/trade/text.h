@@ -55,7 +55,7 @@ enum class Encoding {
 [[nodiscard]] Encoding encoding_of(std::string_view bytes, std::string_view code_page);
 // As UTF-8; what the encoding does not define becomes U+FFFD.  \U+XXXX, by which DXF writes characters, is resolved.
 [[nodiscard]] std::string decoded(std::string_view bytes, Encoding encoding);
-// For an error message, whatever the bytes are.
+// As valid UTF-8: control characters, and bytes that are no character, become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view bytes);
 
 }  // namespace selvage::protocol::trade

@@ -27,7 +27,7 @@ ops::Metric by_queue(const char* name, const char* help, const dispatch::WorkQue
            {"parsing", value((queues.parsing.*count)())},
            {"reads", value((queues.reads.*count)())},
            {"openings", value((queues.openings.*count)())},
-           {"hands", value((queues.drags.*count)())}}};
+           {"drags", value((queues.drags.*count)())}}};
 }
 
 std::vector<ops::Metric> backend_metrics(const dispatch::Backend& backend) {

@@ -107,7 +107,7 @@ class JobQueue {
   void serve(std::optional<Promptness> only_quick);
   void run(Job job, RunningJob running);
   void end(const std::string& lane, RunningJob running);
-  // These functions require the mutex, but notify what make_ready() and free_lane() make ready without it.
+  // REQUIRE the mutex.  The caller notifies the condition variable that make_ready() returns.
   std::condition_variable& make_ready(Job job);
   void free_lane(const std::string& lane);
   void count_as_gone(std::uint64_t session);

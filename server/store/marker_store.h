@@ -127,7 +127,7 @@ class MarkerStore {
   };
   // Nothing if no such marker is open.
   [[nodiscard]] std::optional<UndoResult> peek(const std::string& id, UndoDirection direction) const;
-  // Closes an open or a quarantined marker.  `on_closed` is called when that is written.
+  // Closes an open or a quarantined marker.  `on_closed` is called when the closing of an open one is written.
   [[nodiscard]] Closed close(const std::string& id, const std::optional<KeptAnswer>& answer = {},
                              const std::function<void()>& on_closed = {});
 
@@ -149,8 +149,8 @@ class MarkerStore {
   [[nodiscard]] bool is_durable() const { return journal_ != nullptr; }
 
  private:
-  // The store's mutex protects `now`, `summary` and `answers`; `writing` protects the rest.  `writing` is locked first,
-  // and held while the journal writes; `loading` is locked while the rows are read, with nothing else locked.
+  // The store's mutex protects `current`, `summary` and `answers`; `writing` protects the rest.  `writing` is locked
+  // first, and held while the journal writes; `loading` is locked while the rows are read, with nothing else locked.
   struct Entry {
     explicit Entry(std::shared_ptr<memory::ByteAccount> account) : held{std::move(account)} {}
     // Counts what this object keeps, except the marker and whole earlier markers, which count themselves.

@@ -146,7 +146,7 @@ class Nest(CliTest):
     def test_refuses_sheets_that_it_cannot_read(self):
         document = squares((0, 0))
         for options in (["--sheets", "90"], ["--sheets", "90x"], ["--sheets", "90x80", "--keep-placed"],
-                        ["--sheets", "90x80", "-o", "-"]):
+                        ["--sheets", "90x80", "-o", "-"], ["--sheets", "90x80", "--svg", self.path("a.svg"), "--chain"]):
             self.assertEqual(run("nest", self.write(document), *options).returncode, BAD_USAGE, options)
         self.assertEqual(run("nest", self.write(document), "--sheets", "0x80").returncode, BAD_INPUT)
         self.assertEqual(run("nest", self.write(document), "--sheets", "[{]").returncode, BAD_INPUT)

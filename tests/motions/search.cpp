@@ -91,7 +91,7 @@ Result<Answer> refitting(const Marker& start, const Occasion& on) {
 }
 
 Result<Answer> filling(const Marker& start, const Occasion& on) {
-  packing::refitting::FillSettings settings;
+  packing::refitting::GapSettings settings;
   settings.trials = 3;
   settings.nodes = kFewNodes;
   settings.seed = on.random.below(1000);

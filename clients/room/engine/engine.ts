@@ -129,7 +129,7 @@ export class Engine {
       const best = wanted.kind === "nest" && marker.unplaced.length > 0 ? Infinity : length; // placing all pieces has priority
       await search(wanted, client, this.copies, marker.toDocument(), best, signal, {
         goesOn: () => !run.stopping,
-        round: (round, best) => this.round(run, round, best, since),
+        round: (round, length) => this.round(run, round, length, since),
         better: (answer, placements) => {
           found = true;
           if (this.preview.value && this.preview.value.title !== title) return; // the user is looking at another result

@@ -23,7 +23,7 @@ interface Drag {
 }
 type Doing =
   | { kind: "pan"; last: Point }
-  | { kind: "press"; piece: Piece; at: Point; added: boolean }
+  | { kind: "press"; piece: Piece; at: Point; toggled: boolean }
   | { kind: "drag"; drag: Drag; from: Point }
   | { kind: "stroke"; adding: boolean }
   | { kind: "place"; place: number }
@@ -73,14 +73,15 @@ export class Pointer {
       const place = piece ? -1 : this.places.at(camera.value.toCloth(at));
       const adding = event.shiftKey || event.ctrlKey || event.metaKey;
       if (place >= 0) this.doing = { kind: "place", place };
-      else if (piece) this.doing = { kind: "press", piece, at, added: this.pick(piece, event.ctrlKey || event.metaKey) };
+      else if (piece) this.doing = { kind: "press", piece, at, toggled: this.pick(piece, event.ctrlKey || event.metaKey) };
       else if (touch) this.doing = { kind: "pan", last: at };
       else this.beginStroke("band", at, adding);
     }
     this.canvas.dataset["doing"] = this.doing?.kind ?? "";
   }
 
-  // Selects the pressed piece, unless it is selected already. Returns whether it was added to the selection.
+  // Selects the pressed piece, unless it is selected already, or with `adding`, adds it to the selection or takes it out.
+  // Returns `adding`.
   private pick(piece: Piece, adding: boolean): boolean {
     const { selection } = this.scene;
     const together = this.scene.marker!.together(piece).map(({ id }) => id);
@@ -101,7 +102,7 @@ export class Pointer {
   }
 
   private beginPinch(): void {
-    if (this.doing?.kind === "drag") void this.doing.drag.end(false);
+    if (this.doing?.kind === "drag") this.drop(this.doing.drag);
     this.scene.stroke = undefined;
     this.doing = { kind: "pinch", ...this.pinch() };
   }
@@ -134,7 +135,7 @@ export class Pointer {
         if (this.scene.stroke) this.scene.stroke = { ...this.scene.stroke, to: camera.toCloth(at) };
         return this.scene.onChange("moving");
       case "press":
-        if (Math.hypot(at[0] - doing.at[0], at[1] - doing.at[1]) < SLACK || doing.added) return;
+        if (Math.hypot(at[0] - doing.at[0], at[1] - doing.at[1]) < SLACK || doing.toggled) return;
         void this.beginDrag(doing.piece, camera.toCloth(doing.at), event.shiftKey, at);
         return;
       case "drag": {
@@ -180,7 +181,7 @@ export class Pointer {
     this.doing = undefined;
     this.canvas.dataset["doing"] = "";
     if (doing?.kind === "drag") void this.commands.queue(() => doing.drag.end(commit)).then(() => this.scene.onChange("settled"));
-    else if (doing?.kind === "press" && !doing.added && commit) this.scene.select(this.scene.marker!.together(doing.piece).map(({ id }) => id));
+    else if (doing?.kind === "press" && !doing.toggled && commit) this.scene.select(this.scene.marker!.together(doing.piece).map(({ id }) => id));
     else if (doing?.kind === "stroke") this.endStroke(doing.adding, commit);
     else if (doing?.kind === "place" && commit) this.layAt(doing.place);
   }
@@ -213,13 +214,17 @@ export class Pointer {
     this.scene.select(adding ? [...this.scene.selection.value, ...ids] : ids);
   }
 
+  private drop(drag: Drag): void {
+    drag.end(false).catch((error) => this.showMessage(errorText(error)));
+  }
+
   /** Cancels the gesture in progress and undoes its effects. Returns whether there was one. */
   cancel(): boolean {
     const doing = this.doing;
     this.doing = undefined;
     const had = doing !== undefined || this.scene.stroke !== undefined;
     this.scene.stroke = undefined;
-    if (doing?.kind === "drag") doing.drag.end(false).catch((error) => this.showMessage(errorText(error)));
+    if (doing?.kind === "drag") this.drop(doing.drag);
     this.scene.onChange("moving");
     return had;
   }

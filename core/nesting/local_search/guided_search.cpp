@@ -7,7 +7,9 @@
 #include "core/nesting/local_search/perturbation.h"
 
 namespace selvage::nesting::local_search {
+namespace {
 
+// The side of a grid cell that suits the pieces.
 double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   double sides = 0;
   double largest = 0;
@@ -24,6 +26,8 @@ double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   constexpr double kMostAcross = 500;
   return std::max(mean / pixels_per_side, std::max(largest, set.high - set.low) / kMostAcross);
 }
+
+}  // namespace
 
 namespace {
 

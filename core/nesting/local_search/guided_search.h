@@ -69,7 +69,4 @@ class GuidedSearch {
   std::uint64_t moves_{};
 };
 
-// The side of a grid cell that suits the pieces.
-[[nodiscard]] double pixel_of(const layout::PieceSet& set, double pixels_per_side);
-
 }  // namespace selvage::nesting::local_search

@@ -54,8 +54,9 @@ struct SheetNesting {
 };
 
 // All pieces of the marker are laid, including the placed ones, wherever they lie.
-// Errors: kEmptyMarker when it has no piece; kOutOfRange for a piece that is locked in place or belongs to a group
-// (`field` points into the marker), and for a sheet that `bare` refuses (below "/sheets").
+// Errors: kEmptyMarker when it has no piece; kOutOfRange for a piece that is locked in place, belongs to a group or is
+// a zone of the marker's own cloth (`field` points into the marker), and for a sheet that `bare` refuses (below
+// "/sheets").
 [[nodiscard]] Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets,
                                                   const SheetSettings& settings, const scene::Run& run);
 

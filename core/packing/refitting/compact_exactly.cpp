@@ -58,7 +58,7 @@ class WindowSearch {
     const TrialCounts counts = run_trials(
         result, left, places, trial, [](const Marker&) {}, run_);
     result.windows += counts.trials;
-    result.kept += counts.kept;
+    result.kept += counts.shortened;
     result.work += counts.work;
   }
 

@@ -29,9 +29,9 @@ double area_of(const Marker& marker, const Piece& piece) {
   return static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2;
 }
 
-class Filler {
+class GapFiller {
  public:
-  Filler(const Marker& start, const FillSettings& settings, const scene::Run& run)
+  GapFiller(const Marker& start, const GapSettings& settings, const scene::Run& run)
       : start_{start}, settings_{settings}, run_{run} {}
 
   Result<GapFilling> fill() {
@@ -47,7 +47,7 @@ class Filler {
     const auto on_present = [this](const Marker& present) { note_critical(present); };
     const std::uint64_t trials = small_.empty() ? 0 : settings_.trials;
     const TrialCounts counts = run_trials(result_, trials, UINT64_MAX, trial, on_present, run_);
-    result_.kept = counts.kept;
+    result_.kept = counts.shortened;
     result_.work += counts.work;
     return std::move(result_);
   }
@@ -166,7 +166,7 @@ class Filler {
   }
 
   const Marker& start_;
-  const FillSettings& settings_;
+  const GapSettings& settings_;
   const scene::Run& run_;
   std::vector<std::uint32_t> small_, critical_;
   GapFilling result_;
@@ -174,8 +174,8 @@ class Filler {
 
 }  // namespace
 
-Result<GapFilling> fill_gaps(const Marker& start, const FillSettings& settings, const scene::Run& run) {
-  return Filler{start, settings, run}.fill();
+Result<GapFilling> fill_gaps(const Marker& start, const GapSettings& settings, const scene::Run& run) {
+  return GapFiller{start, settings, run}.fill();
 }
 
 }  // namespace selvage::packing::refitting

@@ -20,14 +20,14 @@
 
 namespace selvage::packing::refitting {
 
-struct FillSettings {
+struct GapSettings {
   std::uint64_t trials{200};
   std::size_t pieces{2};     // taken out in a trial at most
   std::uint64_t nodes{100};  // of every search for room
   std::uint64_t seed{1};
   bool turns{true};  // refitted pieces may take other orientations that their shapes allow
-  FillTuning tuning{};
-  friend bool operator==(const FillSettings&, const FillSettings&) = default;
+  GapTuning tuning{};
+  friend bool operator==(const GapSettings&, const GapSettings&) = default;
 };
 
 // A round is a trial.
@@ -38,6 +38,6 @@ struct GapFilling : motion::repair::MotionResult {
 };
 
 // Errors: those of compaction.
-[[nodiscard]] Result<GapFilling> fill_gaps(const Marker& start, const FillSettings& settings, const scene::Run& run);
+[[nodiscard]] Result<GapFilling> fill_gaps(const Marker& start, const GapSettings& settings, const scene::Run& run);
 
 }  // namespace selvage::packing::refitting

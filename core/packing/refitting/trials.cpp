@@ -27,7 +27,7 @@ TrialCounts run_trials(motion::repair::MotionResult& best, std::uint64_t most, s
       const bool accepted = length <= best.length_after;
       if (length < best.length_after) {
         in_vain = 0;
-        ++counts.kept;
+        ++counts.shortened;
         best.marker = *one.marker;
         best.length_after = length;
       }

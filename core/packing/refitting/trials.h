@@ -26,12 +26,13 @@ using Trial = std::function<Tried(const Marker& present, std::uint64_t number, c
 using OnPresent = std::function<void(const Marker& present)>;
 
 struct TrialCounts {
-  std::uint64_t trials{}, kept{};  // kept: those that made the marker shorter
+  std::uint64_t trials{}, shortened{};  // shortened: those that made the marker shorter
   branching::Work work;
 };
 
 // Runs trials from `best.marker` until there were `most`, or `fruitless` in a row that gained nothing, or it is
-// stopped; keeps what is no longer in `best` and sets its reason.  Every trial is a round.
+// stopped.  A marker that is no longer than the present one becomes the present one, and `best` is the shortest of
+// them. Sets the reason of `best`.  Every trial is a round.
 [[nodiscard]] TrialCounts run_trials(motion::repair::MotionResult& best, std::uint64_t most, std::uint64_t fruitless,
                                      const Trial& trial, const OnPresent& on_present, const scene::Run& run);
 

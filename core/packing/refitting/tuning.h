@@ -8,7 +8,7 @@
 
 namespace selvage::packing::refitting {
 
-struct FillTuning {
+struct GapTuning {
   double small{0.8};  // the part of the pieces, from the smallest, that are taken out
   double near{1};     // pieces are taken out together when their middles are this near along the strip, in widths
   // Of the length that the other pieces give up: how much of it the refitted pieces may use, tried one after another
@@ -16,7 +16,7 @@ struct FillTuning {
   std::array<double, 2> parts{0.97, 0.3};
   double least_gain{1e-5};      // of the others when pieces are taken out, in widths
   std::uint64_t any_one_in{4};  // one trial in this many begins with any small piece, the others with a critical one
-  friend bool operator==(const FillTuning&, const FillTuning&) = default;
+  friend bool operator==(const GapTuning&, const GapTuning&) = default;
 };
 
 struct WindowTuning {

@@ -5,7 +5,7 @@
 #include "core/motion/compaction/compact.h"
 #include "core/search/refine.h"
 #include "protocol/calls/motion.h"
-#include "protocol/methods/motions/nest_params.h"
+#include "protocol/execution/time_limit.h"
 
 namespace selvage::protocol::methods::motions {
 namespace {
@@ -26,7 +26,7 @@ search::RefineSettings search_settings(const calls::CommonParams& call, const ca
   if (call.deadline_ms && context.time_left) {
     settings.effort = settings.least_effort = std::numeric_limits<std::uint64_t>::max();
     settings.most_pieces_swapped = marker::kMaxPieces;
-    settings.elapsed = elapsed_within(*context.time_left);
+    settings.elapsed = execution::elapsed_within(*context.time_left);
   }
   return settings;
 }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <set>
 
+#include "protocol/execution/time_limit.h"
 #include "protocol/formats/decimal_marker.h"
 
 namespace selvage::protocol::methods::motions {
@@ -22,13 +23,6 @@ double seconds_of(motion::compaction::Accuracy accuracy) {
 
 }  // namespace
 
-std::function<double()> elapsed_within(std::chrono::duration<double> limit) {
-  return [start = std::chrono::steady_clock::now(), limit] {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return limit.count() > 0 ? passed / limit : 1;
-  };
-}
-
 Result<NestBudget> budget_of(const NestEffort& effort) {
   if (effort.accuracy && effort.seconds) {
     return Error{ErrorCode::kOutOfRange,
@@ -39,7 +33,7 @@ Result<NestBudget> budget_of(const NestEffort& effort) {
   const std::optional<double> seconds = effort.accuracy ? std::optional{seconds_of(*effort.accuracy)} : effort.seconds;
   NestBudget budget;
   budget.moves = effort.moves.value_or(seconds ? static_cast<std::uint64_t>(kMostMoves) : kStandardMoves);
-  if (seconds) budget.elapsed = elapsed_within(std::chrono::duration<double>{*seconds});
+  if (seconds) budget.elapsed = execution::elapsed_within(std::chrono::duration<double>{*seconds});
   return budget;
 }
 

@@ -1,7 +1,6 @@
 // What marker.nest and marker.nestSheets share on the wire: the budget of a search, and what pieces are worth.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -42,8 +41,6 @@ struct NestBudget {
   std::uint64_t moves{};
   std::function<double()> elapsed;  // as in nesting::NestSettings; its clock starts when the budget is made
 };
-// The fraction of a limit that has elapsed since this call; 1 or more when the limit has been reached.
-[[nodiscard]] std::function<double()> elapsed_within(std::chrono::duration<double> limit);
 // Errors: kOutOfRange when an accuracy and seconds are given.
 [[nodiscard]] Result<NestBudget> budget_of(const NestEffort& effort);
 

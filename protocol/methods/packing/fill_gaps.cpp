@@ -13,9 +13,9 @@ constexpr double kMostTrials = 1e9, kMostTaken = 12, kMostSeed = 900719925474099
 struct FillParams {
   calls::CommonParams call;
   std::optional<std::uint64_t> trials;
-  std::size_t pieces{refitting::FillSettings{}.pieces};
-  std::uint64_t nodes{refitting::FillSettings{}.nodes};
-  std::uint64_t seed{refitting::FillSettings{}.seed};
+  std::size_t pieces{refitting::GapSettings{}.pieces};
+  std::uint64_t nodes{refitting::GapSettings{}.nodes};
+  std::uint64_t seed{refitting::GapSettings{}.seed};
   bool turns{true};
 
   static void describe(auto& v, auto& self) {
@@ -49,7 +49,7 @@ struct FillResult {
 
 Result<calls::Motion<FillResult>> run_fill_gaps(const FillParams& params, const Marker& start,
                                                 const calls::MethodContext& context) {
-  refitting::FillSettings settings;
+  refitting::GapSettings settings;
   settings.trials = params.trials.value_or(params.call.deadline_ms ? UINT64_MAX : settings.trials);
   settings.pieces = params.pieces;
   settings.nodes = params.nodes;

@@ -84,7 +84,7 @@ TEST(Nest, MoreMovesAreNeverWorseBeforeSmallRotations) {
     Coord length = kLatticeLimit;
     for (const std::uint64_t moves : {0, 40, 90, 200, 400}) {
       NestSettings settings = settings_of_trial(trial, moves);
-      settings.turn = false;
+      settings.tilts = false;
       const Coord next = nested(marker, settings).length_after;
       EXPECT_LE(next, length) << "trial " << trial << ", " << moves << " moves";
       length = next;
@@ -369,7 +369,7 @@ TEST(Nest, PiecesThatMayTurnFreelyReachAnyRotation) {
   EXPECT_EQ(nesting.marker.shapes, marker.shapes);
   for (const Piece& piece : nesting.marker.pieces) EXPECT_EQ(piece.orientation.tilt, Angle{});
   NestSettings rigid = settings_of(400);
-  rigid.turn = false;
+  rigid.tilts = false;
   EXPECT_GT(nested(marker, rigid).length_after, 950'000);
 }
 

@@ -40,7 +40,7 @@ TEST(FillGaps, PutsASmallPieceIntoAHole) {
   marker.pieces[3].locked = true;  // keeps the hole open
   SumCache sums;
   ASSERT_EQ(standard_length(marker), 69'000);
-  FillSettings settings;
+  GapSettings settings;
   settings.trials = 10;
   settings.tuning.small = 0.25;
   const auto filled = fill_gaps(marker, settings, scene::Run{sums});
@@ -61,7 +61,7 @@ TEST(FillGaps, PlacesUnplacedPiecesWithinTheLength) {
   for (Piece& piece : marker.unplaced) piece.at = {};
   marker.pieces.pop_back();
   SumCache sums;
-  FillSettings settings;
+  GapSettings settings;
   settings.trials = 0;
   const auto filled = fill_gaps(marker, settings, scene::Run{sums});
   ASSERT_TRUE(filled);
@@ -211,7 +211,7 @@ TEST(RefittingLaws, ThreadsDoNotMatterAndAnswersAreNeverLonger) {
   test::Random random{71};
   for (int trial = 0; trial < 2 / test::kSlowdown + 1; ++trial) {
     const Marker marker = test::random_marker(random);
-    FillSettings filling;
+    GapSettings filling;
     filling.trials = 6;
     ExactCompactionSettings windows;
     windows.pieces = 3;

@@ -28,7 +28,8 @@ TEST(TimeLeft, OfFineIsWhatItDividesNotTheWholeDeadline) {
     return search(run);
   };
 
-  const auto call = find_method("motion.compact")->read(test::json(R"({"markerId":"m1","accuracy":"fine","deadlineMs":20000})"));
+  const auto call =
+      find_method("motion.compact")->read(test::json(R"({"markerId":"m1","accuracy":"fine","deadlineMs":20000})"));
   ASSERT_TRUE(call);
   const auto answer = stopped([&](const scene::Run& run) {
     calls::MethodContext context{run};

@@ -146,8 +146,10 @@ command_line::Option sheets_option() {
 }
 
 ExitCode nest_on_sheets(Json params, const MarkerFiles& files, const command_line::Values& values) {
-  if (params.value("searches", 1.0) != 1 || params.value("keepPlaced", false) || params.value("fromScratch", false)) {
-    return report(terminal::bad_usage("--sheets cannot be combined with --searches, --keep-placed, --from-scratch"));
+  if (params.value("searches", 1.0) != 1 || params.value("keepPlaced", false) || params.value("fromScratch", false) ||
+      files.overlays.arrows || files.overlays.critical_path) {
+    return report(terminal::bad_usage(
+        "--sheets cannot be combined with --searches, --keep-placed, --from-scratch, --arrows, --chain"));
   }
   for (const char* const parameter : {"searches", "keepPlaced", "fromScratch"}) params.erase(parameter);
   if (standard_outputs(files) > 0) {
