@@ -17,6 +17,7 @@ using Revision = std::uint64_t;  // 1 when a marker is opened, increased by one 
 
 inline constexpr schema::Limits kRevisions{.range = {{1, 9007199254740992.0}}};  // to 2^53: exact in every client
 inline constexpr schema::Limits kOpIds{.bytes = {{1, 128}}};
+inline constexpr double kMostSeed = 9007199254740991.0;  // 2^53 - 1: JSON numbers are exact up to it
 inline constexpr schema::Limits kDeadlines{.range = {{1, 24.0 * 3'600'000}}};  // milliseconds
 inline constexpr int kMaxRounds = 100'000;
 inline constexpr double kMostSimplification = 1;

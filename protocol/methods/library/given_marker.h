@@ -1,6 +1,8 @@
-// A marker that is given as a document, native or sparrow, in the parameters of a call.
+// A marker that is given as a document, native or sparrow, in the parameters of a call, and how many stored markers a
+// call considers.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "protocol/document/marker_file.h"
@@ -8,6 +10,9 @@
 #include "protocol/schema/wire.h"
 
 namespace selvage::protocol::methods::library {
+
+inline constexpr std::size_t kMostStored = 1'000;  // given in parameters
+inline constexpr std::size_t kNearest = 20;        // of a library: those that are most similar
 
 struct GivenMarker {
   MarkerFile file;

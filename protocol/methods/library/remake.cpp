@@ -37,8 +37,6 @@ struct Choices<remake::StepKind> {
 namespace selvage::protocol::methods::library {
 namespace {
 
-constexpr std::size_t kMostStored = 1'000;
-constexpr std::size_t kNearest = 20;  // considered markers of a library
 constexpr double kMostTries = 64, kMostMoves = 1e12;
 
 struct RemakeParams {

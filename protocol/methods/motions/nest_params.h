@@ -10,12 +10,13 @@
 
 #include "core/motion/compaction/compact.h"
 #include "protocol/calls/choices.h"
+#include "protocol/calls/params.h"
 #include "protocol/calls/values.h"
 #include "protocol/schema/visitors.h"
 
 namespace selvage::protocol::methods::motions {
 
-inline constexpr double kMostMoves = 1e12, kMostSeconds = 24 * 3'600, kMostSeed = 9007199254740991.0;
+inline constexpr double kMostMoves = 1e12, kMostSeconds = 24 * 3'600;
 
 struct NestEffort {
   static constexpr std::string_view kGroup = "search";
@@ -33,7 +34,7 @@ struct NestEffort {
     v.optional("seconds", self.seconds,
                "The budget of a search in seconds, 0 to 86,400. The result then depends on the machine.",
                {.range = {{0, kMostSeconds}}});
-    v.optional("seed", self.seed, "The seed of the random choices.", {.range = {{0, kMostSeed}}});
+    v.optional("seed", self.seed, "The seed of the random choices.", {.range = {{0, calls::kMostSeed}}});
   }
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 namespace refitting = selvage::packing::refitting;
 
-constexpr double kMostTrials = 1e9, kMostTaken = 12, kMostSeed = 9007199254740991.0;
+constexpr double kMostTrials = 1e9, kMostTaken = 12;
 
 struct FillParams {
   calls::CommonParams call;
@@ -28,7 +28,7 @@ struct FillParams {
                {.range = {{1, kMostTaken}}});
     v.optional("nodes", self.nodes, "The largest number of nodes of every search for room.",
                {.range = {{1, kMostNodes}}});
-    v.optional("seed", self.seed, "The seed of the random choices.", {.range = {{0, kMostSeed}}});
+    v.optional("seed", self.seed, "The seed of the random choices.", {.range = {{0, calls::kMostSeed}}});
     v.optional("turns", self.turns, "False: pieces keep their orientations.");
   }
 };

@@ -99,7 +99,7 @@ std::vector<core::orders::MadeLength> stored_lengths(const PlanParams& params, c
   if (params.stored) {
     for (const library::GivenMarker& given : *params.stored) stored.push_back(given.file.marker);
   } else if (context.library) {
-    for (MarkerFile& file : context.library(one_of_each_size(garments), kNearest)) {
+    for (MarkerFile& file : context.library(one_of_each_size(garments), library::kNearest)) {
       stored.push_back(std::move(file.marker));
     }
   }

@@ -25,8 +25,6 @@ struct Choices<selvage::planning::orders::Spread> {
 
 namespace selvage::protocol::methods::planning {
 
-inline constexpr std::size_t kMostStored = 1'000, kNearest = 20;  // stored markers: given, and of a library
-
 struct Quantity {
   static constexpr std::string_view kName = "Quantity", kMeaning = "How many garments are ordered.";
   std::string colour, size;
@@ -82,7 +80,7 @@ struct PlanParams {
         "stored", self.stored,
         "Stored markers, as native or sparrow documents. The lengths of markers are first estimated from those that "
         "hold similar garments on similar cloth. Absent: the most similar ones of the library.",
-        {.entries = {{0, kMostStored}}, .entries_are = "markers"});
+        {.entries = {{0, library::kMostStored}}, .entries_are = "markers"});
     v.optional("documents", self.documents, "Whether the result contains the documents of the markers.");
     v.optional("deadlineMs", self.deadline_ms,
                "After this many milliseconds the best plan so far is returned; 1 to 86,400,000.", calls::kDeadlines);
