@@ -72,11 +72,11 @@ export type NestedSheet = {
   marker: MarkerDocument;
 };
 
-/** A piece that extends beyond the strip. */
+/** A piece that extends beyond the strip, or beyond the room that its rules leave it. */
 export type Protrusion = {
   /** The piece's id. */
   piece: string;
-  /** How far it extends beyond the strip. */
+  /** How far it extends beyond that. */
   by: number;
 };
 
