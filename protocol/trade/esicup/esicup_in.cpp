@@ -153,11 +153,27 @@ class NestingReader {
     return best;
   }
 
-  Result<MarkerFile> placed(const pugi::xml_node& solution) {
-    formats::DecimalMarker written;
+  // A marker in the making.
+  struct Written {
+    formats::DecimalMarker marker;
     document::Attributes attributes;
-    written.name = style_.name;
-    written.width = options_.width.value_or(board_.value_or(kUsualWidth));
+    std::map<std::string, int> copies;  // by id of a piece of the lot
+  };
+
+  Result<MarkerFile> placed(const pugi::xml_node& solution) {
+    Written written;
+    written.marker.name = style_.name;
+    written.marker.width = options_.width.value_or(board_.value_or(kUsualWidth));
+    add_shapes(written);
+    for (const pugi::xml_node& placement : solution.children("placement")) add_placed(placement, written);
+    add_left_over(written);
+    auto file = formats::on_lattice(written.marker, std::move(written.attributes), Format::kNative);
+    if (!file) return file;
+    file->notes.insert(file->notes.begin(), style_.notes.begin(), style_.notes.end());
+    return file;
+  }
+
+  void add_shapes(Written& written) const {
     for (const std::string& id : order_) {
       const LotPiece& piece = lot_.at(id);
       formats::DecimalShape shape;
@@ -165,47 +181,48 @@ class NestingReader {
       shape.shape.rotations.clear();
       for (const double angle : piece.angles) shape.shape.rotations.push_back(Angle::of_degrees(angle));
       shape.outline = decimals(piece.outline);
-      written.shapes.push_back(std::move(shape));
-      attributes.shapes.push_back(Json::object());
+      written.marker.shapes.push_back(std::move(shape));
+      written.attributes.shapes.push_back(Json::object());
     }
-    std::map<std::string, int> copies;
-    for (const pugi::xml_node& placement : solution.children("placement")) {
-      const std::string id = printable(placement.attribute("idPiece").value());
-      if (!lot_.contains(id)) continue;
-      formats::DecimalPiece piece;
-      piece.shape = id;
-      piece.piece.id = id + " " + std::to_string(++copies[id]);
-      const double degrees = std::fmod(360 - number(placement, "angle"), 360.0);
-      const auto& allowed = lot_.at(id).angles;
-      if (std::find(allowed.begin(), allowed.end(), degrees) == allowed.end()) {
-        style_.notes.push_back({"", piece.piece.id + " lies at an angle that its piece does not list; it is allowed"});
-        const auto known = static_cast<std::size_t>(std::find(order_.begin(), order_.end(), id) - order_.begin());
-        written.shapes[known].shape.rotations.push_back(Angle::of_degrees(degrees));
-      }
-      piece.piece.orientation.rotation = Angle::of_degrees(degrees);
-      const Spot at = rounded(Spot{number(placement, "x"), written.width - number(placement, "y")});
-      piece.at = {at.x, at.y};
-      written.pieces.push_back(std::move(piece));
-      attributes.pieces.push_back(Json::object());
+  }
+
+  void add_placed(const pugi::xml_node& placement, Written& written) {
+    const std::string id = printable(placement.attribute("idPiece").value());
+    if (!lot_.contains(id)) return;
+    formats::DecimalPiece piece;
+    piece.shape = id;
+    piece.piece.id = id + " " + std::to_string(++written.copies[id]);
+    const double degrees = std::fmod(360 - number(placement, "angle"), 360.0);
+    const auto& allowed = lot_.at(id).angles;
+    if (std::find(allowed.begin(), allowed.end(), degrees) == allowed.end()) {
+      style_.notes.push_back({"", piece.piece.id + " lies at an angle that its piece does not list; it is allowed"});
+      const auto known = static_cast<std::size_t>(std::find(order_.begin(), order_.end(), id) - order_.begin());
+      written.marker.shapes[known].shape.rotations.push_back(Angle::of_degrees(degrees));
     }
+    piece.piece.orientation.rotation = Angle::of_degrees(degrees);
+    const Spot at = rounded(Spot{number(placement, "x"), written.marker.width - number(placement, "y")});
+    piece.at = {at.x, at.y};
+    written.marker.pieces.push_back(std::move(piece));
+    written.attributes.pieces.push_back(Json::object());
+  }
+
+  // The copies that the solution does not place.
+  void add_left_over(Written& written) {
     for (const std::string& id : order_) {
       const LotPiece& piece = lot_.at(id);
-      if (copies[id] == piece.quantity) continue;
-      style_.notes.push_back({"", "the solution places " + std::to_string(copies[id]) + " of the " +
+      int& copies = written.copies[id];
+      if (copies == piece.quantity) continue;
+      style_.notes.push_back({"", "the solution places " + std::to_string(copies) + " of the " +
                                       std::to_string(piece.quantity) + " copies of " + json::shortened(Json(id))});
-      while (copies[id] < piece.quantity) {
+      while (copies < piece.quantity) {
         formats::DecimalPiece left_over;
         left_over.shape = id;
-        left_over.piece.id = id + " " + std::to_string(++copies[id]);
+        left_over.piece.id = id + " " + std::to_string(++copies);
         left_over.piece.orientation.rotation = Angle::of_degrees(piece.angles.front());
-        written.unplaced.push_back(std::move(left_over));
-        attributes.unplaced.push_back(Json::object());
+        written.marker.unplaced.push_back(std::move(left_over));
+        written.attributes.unplaced.push_back(Json::object());
       }
     }
-    auto file = formats::on_lattice(written, std::move(attributes), Format::kNative);
-    if (!file) return file;
-    file->notes.insert(file->notes.begin(), style_.notes.begin(), style_.notes.end());
-    return file;
   }
 
   Result<MarkerFile> unplaced() {

@@ -76,6 +76,38 @@ class PlainReader {
   std::vector<Run> runs_;
 };
 
+// The open lines within each outline; the others are left out, with a note.
+std::vector<document::Annotations> lines_within(std::vector<NestedLoop>& outlines, std::vector<Run> open,
+                                                std::vector<Note>& notes) {
+  std::vector<document::Annotations> within(outlines.size());
+  for (Run& run : open) {
+    const NestedLoop* const around = around_of(outlines, run.points);
+    if (!around) {
+      notes.push_back(note_at(run.line, "an open line outside of all pieces left out"));
+      continue;
+    }
+    within[static_cast<std::size_t>(around - outlines.data())].lines.push_back(
+        {document::LineKind::kInternal, false, std::move(run.points)});
+  }
+  return within;
+}
+
+PatternPiece piece_of(NestedLoop outline, document::Annotations open_lines, std::size_t number) {
+  PatternPiece piece;
+  piece.name = "piece " + std::to_string(number);
+  piece.line = outline.loop.line;
+  std::size_t dropped = 0;
+  for (const Spot& point : without_repeats(containing_outline(outline.loop), dropped)) {
+    piece.outline.push_back(rounded(point));
+  }
+  piece.annotations = std::move(open_lines);
+  for (Loop& inner : outline.inner) {
+    piece.annotations.lines.push_back({document::LineKind::kCutOut, true, std::move(inner.points)});
+  }
+  piece.annotations = rounded(std::move(piece.annotations));
+  return piece;
+}
+
 }  // namespace
 
 Result<Style> read_plain(std::string_view text, const ReadingOptions& options) {
@@ -96,32 +128,12 @@ Result<Style> read_plain(std::string_view text, const ReadingOptions& options) {
                      " lines is closed, alone or joined to others",
                  ""};
   }
-  std::vector<document::Annotations> open_lines(outlines.size());
-  for (Run& open : loops.open) {
-    const NestedLoop* const around = around_of(outlines, open.points);
-    if (!around) {
-      style.notes.push_back(note_at(open.line, "an open line outside of all pieces left out"));
-      continue;
-    }
-    open_lines[static_cast<std::size_t>(around - outlines.data())].lines.push_back(
-        {document::LineKind::kInternal, false, std::move(open.points)});
-  }
+  std::vector<document::Annotations> open_lines = lines_within(outlines, std::move(loops.open), style.notes);
   for (const NestedLoop& outline : outlines) {
     if (outline.repeats > 0) style.notes.push_back(note_at(outline.loop.line, "an outline is drawn again; read once"));
   }
   for (std::size_t k = 0; k < outlines.size(); ++k) {
-    PatternPiece piece;
-    piece.name = "piece " + std::to_string(style.pieces.size() + 1);
-    piece.line = outlines[k].loop.line;
-    std::size_t dropped = 0;
-    for (const Spot& point : without_repeats(containing_outline(outlines[k].loop), dropped)) {
-      piece.outline.push_back(rounded(point));
-    }
-    piece.annotations = std::move(open_lines[k]);
-    for (Loop& inner : outlines[k].inner) {
-      piece.annotations.lines.push_back({document::LineKind::kCutOut, true, std::move(inner.points)});
-    }
-    piece.annotations = rounded(std::move(piece.annotations));
+    PatternPiece piece = piece_of(std::move(outlines[k]), std::move(open_lines[k]), style.pieces.size() + 1);
     if (piece.outline.size() > 2) style.pieces.push_back(std::move(piece));
   }
   style.notes.push_back({"", "a drawing does not say how often a piece is needed: once each"});
