@@ -208,7 +208,7 @@ Result<Start> start_of(const Marker& given, const NestSettings& settings, minkow
     if (!set) return set.error();
     start.set = std::move(*set);
   }
-  if (auto defect = start::defect_of_fixed(start.marker, start.set)) return *std::move(defect);
+  if (auto defect = start::defect_of_fixed(start.marker, start.set.fixed)) return *std::move(defect);
   return start;
 }
 
