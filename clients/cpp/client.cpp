@@ -53,19 +53,22 @@ class Client::Own {
   Own& operator=(const Own&) = delete;
 
   Call begin(std::string_view method, Json params) {
-    Call call{next_++, {}};
-    add_op_id(method, params, name_ + "-" + std::to_string(call.id));
-    OpenCall open{std::string{method}, marker_of(params), request_line(call.id, method, params), false, {}};
-    call.answer = open.promise.get_future();
-    boost::asio::post(
-        io_, [this, id = call.id, held = std::move(open)]() mutable { conversation_.begin(id, std::move(held)); });
-    return call;
+    const CallId id = next_++;
+    add_op_id(method, params, name_ + "-" + std::to_string(id));
+    return start(id, {std::string{method}, marker_of(params), request_line(id, method, params), false, {}});
   }
+  Call learn_marker(std::string marker_id) { return start(next_++, {{}, std::move(marker_id), {}, false, {}}); }
   void cancel(CallId id) {
     boost::asio::post(io_, [this, id] { conversation_.cancel(id); });
   }
 
  private:
+  Call start(CallId id, OpenCall open) {
+    Call call{id, open.promise.get_future()};
+    boost::asio::post(io_, [this, id, held = std::move(open)]() mutable { conversation_.begin(id, std::move(held)); });
+    return call;
+  }
+
   const std::string name_ = random_name();
   std::atomic<CallId> next_{1};
   boost::asio::io_context io_{1};
@@ -84,6 +87,10 @@ Call Client::begin(std::string_view method, Json params) {
 
 Answer Client::call(std::string_view method, Json params) {
   return begin(method, std::move(params)).answer.get();
+}
+
+Call Client::learn_marker(std::string marker_id) {
+  return own_->learn_marker(std::move(marker_id));
 }
 
 void Client::cancel(CallId id) {

@@ -148,6 +148,11 @@ void Conversation::refuse_calls(const CallError& busy) {
 
 void Conversation::send(CallId id) {
   OpenCall& call = open_.at(id);
+  // In its turn: unanswered calls that began before mean the marker that had the id then.
+  if (call.method.empty()) {
+    homes_.learn(call.marker);
+    return answer(id, Json(nullptr));
+  }
   if (!call.marker.empty() && !homes_.may_use(call.marker)) return answer(id, lost_marker());
   call.sent = true;
   connection_->send(call.line);

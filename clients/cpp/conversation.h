@@ -29,8 +29,9 @@ namespace selvage::client {
 class Connection;
 
 struct OpenCall {
-  std::string method, marker;  // `marker`: the id of the marker that the call concerns; empty if there is none
-  std::string line;            // the request, ending in a newline
+  std::string method;  // empty: nothing is sent; the id of the marker was told, and may be used in the present instance
+  std::string marker;  // the id of the marker that the call concerns; empty if there is none
+  std::string line;    // the request, ending in a newline
   bool sent{};
   std::promise<Answer> promise;
 };

@@ -23,6 +23,9 @@ class Homes {
     return current_.empty() || home == current_;
   }
 
+  // The id was told in another way, such as by another client.
+  void learn(const std::string& marker) { instances_[marker] = current_; }
+
   // The result of marker.open or marker.list, which tells ids: they have their meaning in the current instance.
   void learn_from(const Json& result) {
     if (!result.is_object()) return;
@@ -34,7 +37,7 @@ class Homes {
  private:
   void learn_id(const Json& named) {
     const bool has_id = named.is_object() && named.contains("markerId") && named["markerId"].is_string();
-    if (has_id) instances_[named["markerId"].get<std::string>()] = current_;
+    if (has_id) learn(named["markerId"].get<std::string>());
   }
 
   std::string current_;

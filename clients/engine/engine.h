@@ -1,7 +1,8 @@
 // Answers the calls of the protocol in this process, as a daemon with a single client would.
 //
 // All methods that open, read, change and close markers are available.  Watching, drag sessions and the operator's
-// methods need a daemon.  An `opId` has no effect, because no call can be lost and sent again.
+// methods need a daemon.  An `opId` has no effect, because no call can be lost and sent again, and neither has
+// `closeWithConnection`: all markers are closed when the engine ends, which is its only connection.
 #pragma once
 
 #include <cstddef>

@@ -61,7 +61,7 @@ struct Searched {
   std::vector<Improvement> history{};
   std::uint64_t moves{};
   int programs{};
-  bool converged{};
+  bool converged{}, out_of_time{};
 };
 
 // Where pieces are left over, those that lie should be worth most; then the marker should be short.
@@ -208,7 +208,7 @@ Result<Start> start_of(const Marker& given, const NestSettings& settings, minkow
     if (!set) return set.error();
     start.set = std::move(*set);
   }
-  if (auto defect = start::defect_of_fixed(start.marker, start.set)) return *std::move(defect);
+  if (auto defect = start::defect_of_fixed(start.marker, start.set.fixed)) return *std::move(defect);
   return start;
 }
 
@@ -244,6 +244,7 @@ std::vector<Searched> search_all(const Task& task, const std::function<double()>
     const Budget budget{task.settings.moves, elapsed, run.stop, tuning.explored, tuning.first_epoch};
     searched[k] = too_many ? search_in_batches(task, budget, elapsed, timed.run(), best_of_all)
                            : search(k, task, budget, timed.run(), best_of_all);
+    searched[k]->out_of_time = budget.out_of_time();
   });
   std::vector<Searched> all;
   for (auto& one : searched) all.push_back(*std::move(one));
@@ -264,6 +265,7 @@ Nesting best_of(std::vector<Searched>& searched) {
   nesting.marker = filling::with_lying_pieces(best->best.marker, best->best.lies);
   nesting.left_over = nesting.marker.unplaced.size();
   nesting.reason = best->converged ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
+  nesting.out_of_time = !best->converged && best->out_of_time;
   return nesting;
 }
 

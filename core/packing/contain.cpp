@@ -7,6 +7,7 @@
 #include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
 #include "core/model/ties.h"
+#include "core/nesting/start/fixed_pieces.h"
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
@@ -63,6 +64,14 @@ scene::StopReason reason_of(branching::SearchEnd end) {
 
 Box room_until(const Strip& strip, Coord end) {
   return {{strip.margin, 0}, {std::min(end, strip.last().value_or(end)), strip.width}};
+}
+
+std::optional<Error> defect_of_staying(const Marker& start, std::span<const PieceId> pieces) {
+  std::vector<PieceId> placed{pieces.begin(), pieces.end()};
+  std::erase_if(placed, [&](const PieceId id) { return id.value >= start.pieces.size(); });
+  std::vector<bool> staying = with_groups(start, placed);
+  staying.flip();
+  return nesting::start::defect_of_fixed(start, staying);
 }
 
 Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,

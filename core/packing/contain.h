@@ -2,15 +2,17 @@
 //
 // All other pieces stay where they are.  The search stops at the first layout; when there is none, it proves that.
 //
-// Laws.  (1) A layout that is found is valid, proved in integers, unless other pieces of the marker collide with each
-// other; these are not looked at.  (2) `kImpossible` is proved: no layout on the lattice has the pieces inside the
-// container in any of the orientations that the search may use.  (3) In a larger container, what was found does not
+// Laws.  (1) A layout that is found is valid, proved in integers, unless other pieces of the marker break a rule; these
+// are not looked at (defect_of_staying).  (2) `kImpossible` is proved: no layout on the lattice has the pieces inside
+// the container in any of the orientations that the search may use.  (3) In a larger container, what was found does not
 // become impossible. (4) The same input and settings give the same answer, whatever the cache holds and however many
 // threads are used.
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "core/base/error.h"
 #include "core/motion/repair/motion_result.h"
 #include "core/outline/enclosed/container.h"
 #include "core/packing/bodies/on_cloth.h"
@@ -47,6 +49,10 @@ struct Containment : motion::repair::MotionResult {
 // may miss layouts and ends undecided.  Unless they are found, `marker` is the input.
 [[nodiscard]] Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
                                   const ContainSettings& settings, const scene::Run& run);
+
+// The error when pieces that stay where they are break a rule, so that no layout of the given ones makes the marker
+// valid; it names them.  Errors: kMarkerOverlaps, kOutsideStrip; `field` is a JSON pointer into the marker.
+[[nodiscard]] std::optional<Error> defect_of_staying(const Marker& start, std::span<const PieceId> pieces);
 
 // The cloth up to x = `end`, between the margins at its two ends; across it the rooms of the pieces count.
 [[nodiscard]] Box room_until(const Strip& strip, Coord end);

@@ -16,6 +16,9 @@ using program::Candidate;
 using program::Cutting;
 using program::Use;
 
+// By how many standard deviations an estimate may exceed the table while its marker is still made.
+constexpr double kBeyond = 2;
+
 class Planner {
  public:
   Planner(const Problem& problem, const PlanSettings& settings, const MakeMarker& make, const PlanRun& run)
@@ -23,6 +26,7 @@ class Planner {
 
   Result<Plan> plan() {
     for (int number = 1; number <= settings_.rounds; ++number) {
+      const bool beyond = may_go_beyond();
       cheapest::SearchResult found = search(best_, Effort::kQuick);
       if (!found.cutting || is_made(*found.cutting)) found = search(found.cutting, Effort::kThorough);
       if (!found.cutting && !run_.stop.stop_requested()) {
@@ -36,12 +40,16 @@ class Planner {
       if (!known) make_markers(*found.cutting, found.near);
       report(number, *found.cutting);
       if (run_.stop.stop_requested()) return finish(PlanEnd::kCancelled);
-      if (known) return finish(PlanEnd::kConverged);
+      if (known && beyond) return finish(PlanEnd::kConverged);
     }
     return finish_with_made();
   }
 
  private:
+  // Ratios whose estimates exceed the table are tried only once there is a plan that does without them, so that a plan
+  // that is not complete never has one.
+  [[nodiscard]] bool may_go_beyond() const { return best_.has_value(); }
+
   [[nodiscard]] cheapest::Lengths lengths(bool made_only) const {
     std::vector<Candidate> made;
     std::vector<orders::MadeLength> lengths;
@@ -54,8 +62,10 @@ class Planner {
       made.push_back({ratio, *length});
       lengths.push_back({area_of(problem_.order, ratio), *length});
     }
-    return {std::move(made), orders::LengthEstimate{problem_.cloth.width, lengths, settings_.stored}, made_only,
-            std::move(unmakeable)};
+    const orders::LengthEstimate estimate{problem_.cloth.width, lengths, settings_.stored};
+    const double room = problem_.limits.table - problem_.cloth.end_loss;
+    const double beyond = may_go_beyond() ? kBeyond * estimate.deviation_at(room) : 0;
+    return {std::move(made), estimate, made_only, std::move(unmakeable), beyond};
   }
 
   enum class Effort { kQuick, kThorough };
@@ -96,11 +106,13 @@ class Planner {
     }
   }
 
-  // The cutting at real lengths; none when a marker of it was not made, or does not fit the table.
-  [[nodiscard]] std::optional<Cutting> at_real_lengths(Cutting cutting) const {
+  // The cutting with the real lengths of those markers that were made; none when one of them does not fit the table, or
+  // cannot be made.
+  [[nodiscard]] std::optional<Cutting> at_known_lengths(Cutting cutting) const {
     for (Use& use : cutting.uses) {
       const auto made = made_.find(use.candidate.ratio);
-      if (made == made_.end() || !made->second || !program::fits_table(problem_, *made->second)) return std::nullopt;
+      if (made == made_.end()) continue;
+      if (!made->second || !program::fits_table(problem_, *made->second)) return std::nullopt;
       use.candidate.length = *made->second;
     }
     cutting.cost = cost_of(problem_, cutting.uses);
@@ -108,9 +120,9 @@ class Planner {
   }
 
   void report(int number, const Cutting& cutting) {
-    const std::optional<Cutting> real = at_real_lengths(cutting);
+    std::optional<Cutting> real = at_known_lengths(cutting);
+    if (real && !is_made(*real)) estimated_ = std::exchange(real, std::nullopt);
     if (real && (!best_ || real->cost < best_->cost)) best_ = real;
-    if (!real) estimated_ = cutting;
     const Cutting& best = best_ ? *best_ : cutting;
     PlanRound round{.number = number,
                     .estimated = cutting.cost,
@@ -126,6 +138,8 @@ class Planner {
   Result<Plan> finish_with_made() {
     const cheapest::SearchResult last = search(best_, Effort::kThorough, true);
     if (last.cutting) best_ = last.cutting;
+    // No marker of this one is known to be too long.
+    if (!best_) estimated_ = search(std::nullopt, Effort::kQuick).cutting;
     return finish(run_.stop.stop_requested() ? PlanEnd::kCancelled : PlanEnd::kWorkLimit);
   }
 
@@ -179,7 +193,7 @@ class Planner {
   const PlanRun& run_;
   std::map<Ratio, std::optional<double>> made_;  // those that were asked for; none: cannot be made
   std::optional<Cutting> best_;                  // at real lengths
-  std::optional<Cutting> estimated_;             // the latest that is not
+  std::optional<Cutting> estimated_;             // of markers that were not all made; none of them is known not to fit
   Plan plan_;
 };
 

@@ -4,13 +4,15 @@
 // Method.  Each round searches for the cheapest cutting at the lengths known so far, then makes the markers that it
 // uses and some that it nearly used; the estimate of the others is fitted to all made ones.  When a round's cutting
 // uses only made markers, the gap to the bound is closed as far as possible; the search ends when no better cutting
-// needs other markers.  The caller decides how a marker is made: nested, or remade from a stored one.
+// needs other markers.  The caller decides how a marker is made: nested, or remade from a stored one.  Once there is a
+// plan of made markers, cuttings may also use ratios whose estimate exceeds the table by no more than its uncertainty;
+// their markers are made before a plan has them.
 //
 // Laws.  (1) The plan delivers no fewer and no more garments of any colour and size than the limits allow, checked in
-// integers.  (2) With `complete`, every marker of it was made and fits the table.  (3) bound <= cost; the bound holds
-// for all ratios at the lengths that the last round used, of which those of markers that were not made are estimates.
-// (4) The same problem and settings give the same plan on any number of threads; a cancelled run gives the best plan so
-// far.
+// integers.  (2) With `complete`, every marker of it was made and fits the table; else those that were made fit, and
+// the estimates of the others do, unless they are single bundles.  (3) bound <= cost; the bound holds for all ratios at
+// the lengths that the last round used, of which those of markers that were not made are estimates. (4) The same
+// problem and settings give the same plan on any number of threads; a cancelled run gives the best plan so far.
 #pragma once
 
 #include <functional>

@@ -39,6 +39,7 @@ class Nest(CliTest):
     def test_places_all_pieces_even_without_time(self):
         ran = run("nest", self.write(self.instance()), "--time", 0, "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(json.loads(ran.stdout)["stop"], "deadline")
         self.assertEqual(json.loads(ran.stdout)["placed"], 40)
 
     def test_pieces_lie_in_holes_that_are_open(self):
@@ -233,6 +234,18 @@ class Pack(CliTest):
         ran = run("contain", PACKING / "slot.json", "--room", "[[30,0],[30,30]]")
         self.assertEqual(ran.returncode, BAD_INPUT)
         self.assertIn("/room", ran.stderr)
+
+    def test_contain_refuses_a_marker_in_which_other_pieces_overlap(self):
+        document = squares((0, 0), (5, 5), (50, 0))
+        mover, first, second = document["pieces"][2]["id"], document["pieces"][0]["id"], document["pieces"][1]["id"]
+        ran = run("contain", self.write(document), "--pieces", json.dumps([mover]), "-o", self.path("out.json"))
+        self.assertEqual(ran.returncode, REFUSED)
+        self.assertEqual(ran.stdout, "")
+        self.assertIn(f'pieces "{first}" and "{second}" must stay where they are, but overlap', ran.stderr)
+        self.assertFalse(self.path("out.json").exists())
+        asked = run("call", "motion.contain", "--marker", self.write(document), "--params",
+                    json.dumps({"pieces": [mover], "commit": False}))
+        self.assertEqual(json.loads(asked.stdout)["verdict"], "found", asked.stderr)
 
 
 class Figures(CliTest):

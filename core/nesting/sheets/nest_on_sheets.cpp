@@ -223,6 +223,7 @@ class Driver {
   [[nodiscard]] SheetNesting result(bool converged) {
     SheetNesting nesting{.layouts = {}, .left_over = {}, .moves = moves_, .programs = programs_};
     nesting.reason = converged ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
+    nesting.out_of_time = !converged && settings_.elapsed && settings_.elapsed() >= 1;
     for (const UsedSheet& used : used_) {
       SheetLayout layout{used.kind, sheets_[used.kind].bare};
       layout.marker.pieces.insert(layout.marker.pieces.end(), used.placed.begin(), used.placed.end());

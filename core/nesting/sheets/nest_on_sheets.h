@@ -51,6 +51,7 @@ struct SheetNesting {
   std::uint64_t moves{};
   int programs{};
   scene::StopReason reason{};
+  bool out_of_time{};  // as in Nesting
 };
 
 // All pieces of the marker are laid, including the placed ones, wherever they lie.

@@ -1,5 +1,6 @@
 #include "core/nesting/start/fixed_pieces.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -21,10 +22,10 @@ Marker with_pieces_taken_off(const Marker& given, const layout::PieceSet& set) {
   return bare;
 }
 
-std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet& set) {
+std::optional<Error> defect_of_fixed(const Marker& start, const std::vector<bool>& fixed) {
   const marker::PlacedPieces pieces{start};
   for (std::uint32_t i = 0; i < start.pieces.size(); ++i) {
-    if (!set.fixed[i]) continue;
+    if (!fixed[i]) continue;
     if (marker::protrusion_of(pieces, i, start.strip) > 0) {
       return Error{ErrorCode::kOutsideStrip,
                    "piece \"" + start.pieces[i].id +
@@ -35,7 +36,7 @@ std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet
   for (const marker::Shade& shade : pieces.shades()) {
     std::optional<Box> box;
     for (const std::uint32_t i : shade.pieces) {
-      if (set.fixed[i]) box = box ? united(*box, pieces.box(i)) : pieces.box(i);
+      if (fixed[i]) box = box ? united(*box, pieces.box(i)) : pieces.box(i);
     }
     if (!box || box->width() <= shade.length) continue;
     return Error{ErrorCode::kOutsideStrip,
@@ -43,8 +44,18 @@ std::optional<Error> defect_of_fixed(const Marker& start, const layout::PieceSet
                      "\" must stay where they are, but lie too far from each other",
                  "/shade"};
   }
+  for (const marker::MatchSet& set : pieces.match_sets()) {
+    const auto first = std::ranges::find_if(set, [&](const std::uint32_t i) { return fixed[i]; });
+    for (auto other = first; other != set.end(); ++other) {
+      if (!fixed[*other] || pieces.off_phase(*other, *first) == Vec{}) continue;
+      return Error{ErrorCode::kOutsideStrip,
+                   "pieces \"" + start.pieces[*first].id + "\" and \"" + start.pieces[*other].id +
+                       "\" of one match set must stay where they are, but are off each other's repeats",
+                   "/pieces/" + std::to_string(*other)};
+    }
+  }
   for (const auto& [first, second] : conflicts(pieces)) {
-    if (!set.fixed[first] || !set.fixed[second]) continue;
+    if (!fixed[first] || !fixed[second]) continue;
     return Error{ErrorCode::kMarkerOverlaps,
                  "pieces \"" + start.pieces[first].id + "\" and \"" + start.pieces[second].id +
                      "\" must stay where they are, but overlap or are too close",

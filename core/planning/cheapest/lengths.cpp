@@ -15,7 +15,7 @@ std::optional<Candidate> candidate_of(const orders::Problem& problem, const Leng
   }
   if (lengths.made_only) return std::nullopt;
   const double length = lengths.estimate.length_of(area_of(problem.order, ratio));
-  if (orders::bundles_in(ratio) > 1 && !fits_table(problem, length)) return std::nullopt;
+  if (orders::bundles_in(ratio) > 1 && !fits_table(problem, length - lengths.beyond)) return std::nullopt;
   return Candidate{ratio, length};
 }
 

@@ -30,7 +30,7 @@ Relaxation relaxation_of(const orders::Problem& problem, const Lengths& lengths,
   if (list_all) return program::relax(problem, std::move(candidates), stop);
   std::vector<Ratio> closed = lengths.unmakeable;
   for (const Candidate& made : lengths.made) closed.push_back(made.ratio);
-  return program::relax_by_generation(problem, candidates, lengths.estimate, closed, stop);
+  return program::relax_by_generation(problem, candidates, {lengths.estimate, lengths.beyond}, closed, stop);
 }
 
 // The cutting of single bundles that delivers the least; none when a size that is ordered has no such candidate.  It is

@@ -1,6 +1,7 @@
 #include "core/planning/orders/length_estimate.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace selvage::planning::orders {
 namespace {
@@ -43,6 +44,17 @@ LengthEstimate::LengthEstimate(double width, std::span<const MadeLength> made, s
   const double determinant = sums.aa * sums.bb - sums.ab * sums.ab;
   slope_ = std::max(1.0, kSlope + (sums.ra * sums.bb - sums.rb * sums.ab) / determinant);
   intercept_ = std::max(0.0, kEnds * width + (sums.rb * sums.aa - sums.ra * sums.ab) / determinant);
+  slope_variance_ = sums.bb / determinant;
+  covariance_ = -sums.ab / determinant;
+  intercept_variance_ = sums.aa / determinant;
+}
+
+// That of the fitted line at this length, and the scatter of single markers around it.
+double LengthEstimate::deviation_at(double length) const {
+  const double x = std::max(0.0, (length - intercept_) / slope_);
+  const double of_line = x * x * slope_variance_ + 2 * x * covariance_ + intercept_variance_;
+  const double scatter = kScatter * length;
+  return std::sqrt(std::max(0.0, of_line) + scatter * scatter);
 }
 
 }  // namespace selvage::planning::orders

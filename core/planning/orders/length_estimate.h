@@ -25,9 +25,13 @@ class LengthEstimate {
   // d length / d area, and the length of nothing: what makes the price of a ratio linear in its bundles.
   [[nodiscard]] double length_per_area() const { return slope_ / width_; }
   [[nodiscard]] double length_of_ends() const { return intercept_; }
+  // How much a marker of this estimated length differs from it: the standard deviation, given the markers that the
+  // estimate is fitted to, of which there may be none.
+  [[nodiscard]] double deviation_at(double length) const;
 
  private:
   double width_, slope_, intercept_;
+  double slope_variance_, covariance_, intercept_variance_;
 };
 
 }  // namespace selvage::planning::orders

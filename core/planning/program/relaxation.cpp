@@ -160,9 +160,10 @@ Relaxation relaxation_of(const Master& master) {
 
 // Which ratios of a colour have a negative reduced cost.  The marker's cost is spread over more units than any marker
 // may have, so that the price is linear and never too high.
-PricingProblem pricing_of(const orders::Problem& problem, const orders::LengthEstimate& estimate, const Master& master,
+PricingProblem pricing_of(const orders::Problem& problem, const Estimated& estimated, const Master& master,
                           std::size_t colour) {
   const orders::Order& order = problem.order;
+  const orders::LengthEstimate& estimate = estimated.lengths;
   const int unit = problem.plies_of_unit(), per_lay = problem.units_of_lay();
   const double rate = problem.roll_rate() - master.saved(colour), cut_rate = problem.cut_rate();
   int most_units = 0;
@@ -175,7 +176,7 @@ PricingProblem pricing_of(const orders::Problem& problem, const orders::LengthEs
   pricing.constant = rate * problem.unit_length(estimate.length_of_ends()) + unit * problem.costs.ply +
                      problem.costs.lay / per_lay + problem.costs.marker / std::max(1, most_units);
   pricing.bundles = problem.limits.bundles;
-  pricing.capacity = problem.limits.table - problem.cloth.end_loss - estimate.length_of_ends();
+  pricing.capacity = problem.limits.table + estimated.beyond - problem.cloth.end_loss - estimate.length_of_ends();
   for (std::size_t size = 0; size < order.sizes.size(); ++size) {
     pricing.weight.push_back(estimate.length_per_area() * order.sizes[size].area);
     pricing.gain.push_back(unit * rate * pricing.weight.back() + cut_rate * order.sizes[size].perimeter / per_lay -
@@ -213,7 +214,7 @@ std::optional<double> bound_with(const orders::Problem& problem, std::vector<Can
 }
 
 Relaxation relax_by_generation(const orders::Problem& problem, const std::vector<Candidate>& candidates,
-                               const orders::LengthEstimate& estimate, const std::vector<orders::Ratio>& closed,
+                               const Estimated& estimated, const std::vector<orders::Ratio>& closed,
                                std::stop_token stop) {
   Master master{problem, stop};
   std::set<orders::Ratio> known{closed.begin(), closed.end()};
@@ -226,7 +227,7 @@ Relaxation relax_by_generation(const orders::Problem& problem, const std::vector
     double missing = 0, least = lp::kInfinity;  // what more candidates may lower the bound by
     std::vector<orders::Ratio> found;
     for (std::size_t colour = 0; colour < problem.order.colours.size(); ++colour) {
-      PricedRatios priced = price_ratios(pricing_of(problem, estimate, master, colour), known);
+      PricedRatios priced = price_ratios(pricing_of(problem, estimated, master, colour), known);
       missing += std::min(0.0, priced.least) * units_of_colour(problem, colour);
       least = std::min(least, priced.least);
       found.insert(found.end(), priced.found.begin(), priced.found.end());
@@ -239,7 +240,7 @@ Relaxation relax_by_generation(const orders::Problem& problem, const std::vector
     }
     for (orders::Ratio& ratio : found) {
       if (!known.insert(ratio).second) continue;
-      const double length = estimate.length_of(area_of(problem.order, ratio));
+      const double length = estimated.lengths.length_of(area_of(problem.order, ratio));
       master.add({std::move(ratio), length});
     }
   }

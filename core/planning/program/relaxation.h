@@ -30,10 +30,15 @@ struct Relaxation {
 [[nodiscard]] Relaxation relax(const orders::Problem& problem, std::vector<Candidate> candidates,
                                std::stop_token stop = {});
 
-// Of all ratios: those that are not given have the estimated length.  `closed` are ratios that may not be generated.
+// The lengths of ratios that are not given, and by how much they may exceed the table.
+struct Estimated {
+  orders::LengthEstimate lengths;
+  double beyond{};
+};
+// Of all ratios.  `closed` are those that may not be generated.
 [[nodiscard]] Relaxation relax_by_generation(const orders::Problem& problem, const std::vector<Candidate>& candidates,
-                                             const orders::LengthEstimate& estimate,
-                                             const std::vector<orders::Ratio>& closed, std::stop_token stop = {});
+                                             const Estimated& estimated, const std::vector<orders::Ratio>& closed,
+                                             std::stop_token stop = {});
 
 // A lower bound of the cost of the cuttings of these candidates that have this number of markers or more: the
 // relaxation of CuttingProgram, in which lays and markers are columns of their own.  Infinite when there is none;

@@ -108,7 +108,8 @@ struct OpenFields {
     v.part(self.reading);
     v.part(self.cloth);
     v.optional("closeWithConnection", self.close_with_connection,
-               "True: the marker is closed when the connection that opens it ends. Not over plain HTTP.");
+               "True: the marker is closed when the connection that opens it ends. Not over plain HTTP. The engine "
+               "without a daemon closes all of its markers when it ends, with or without it.");
     v.optional("opId", self.op_id, calls::kOpIdMeaning, calls::kOpIds);
   }
 };

@@ -88,7 +88,7 @@ Result<calls::Motion<NestResult>> run_nest(const NestParams& params, const Marke
   const NestResult result{.placed = piece_count(done->marker),
                           .unplaced = done->marker.unplaced.size(),
                           .moves = done->moves,
-                          .rounds = {done->rounds, stop_cause(done->reason, context)}};
+                          .rounds = {done->rounds, cause_of_end(done->reason, done->out_of_time, context)}};
   return calls::Motion<NestResult>{{std::move(done->marker), done->repair}, result};
 }
 

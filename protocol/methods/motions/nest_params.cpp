@@ -37,6 +37,11 @@ Result<NestBudget> budget_of(const NestEffort& effort) {
   return budget;
 }
 
+calls::StopCause cause_of_end(scene::StopReason reason, bool out_of_time, const calls::MethodContext& context) {
+  if (reason == scene::StopReason::kWorkLimit && out_of_time) return calls::StopCause::kDeadline;
+  return stop_cause(reason, context);
+}
+
 Result<std::map<std::string, double, std::less<>>> values_of(const std::optional<std::vector<PieceValue>>& values,
                                                              const Marker& marker) {
   std::map<std::string, double, std::less<>> by_id;

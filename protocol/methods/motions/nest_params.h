@@ -11,6 +11,7 @@
 #include "core/motion/compaction/compact.h"
 #include "protocol/calls/choices.h"
 #include "protocol/calls/params.h"
+#include "protocol/calls/parsed_call.h"
 #include "protocol/calls/values.h"
 #include "protocol/schema/visitors.h"
 
@@ -44,6 +45,10 @@ struct NestBudget {
 };
 // Errors: kOutOfRange when an accuracy and seconds are given.
 [[nodiscard]] Result<NestBudget> budget_of(const NestEffort& effort);
+
+// Why a nesting ended: when the time of its budget did it, that was the deadline, as for motions that have no budget.
+[[nodiscard]] calls::StopCause cause_of_end(scene::StopReason reason, bool out_of_time,
+                                            const calls::MethodContext& context);
 
 struct PieceValue {
   static constexpr std::string_view kName = "PieceValue", kMeaning = "What a piece is worth.";

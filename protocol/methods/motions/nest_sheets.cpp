@@ -110,8 +110,10 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
     return error;
   }
 
-  NestSheetsResult result{
-      .sheets = {}, .left_over = {}, .moves = done->moves, .stop = stop_cause(done->reason, context)};
+  NestSheetsResult result{.sheets = {},
+                          .left_over = {},
+                          .moves = done->moves,
+                          .stop = cause_of_end(done->reason, done->out_of_time, context)};
   for (nesting::sheets::SheetLayout& layout : done->layouts) {
     NestedSheet nested{.sheet = layout.sheet,
                        .pieces = piece_count(layout.marker),

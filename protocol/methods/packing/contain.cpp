@@ -116,6 +116,9 @@ Result<calls::Motion<ContainResult>> run_contain(const ContainParams& params, co
   const auto pieces = chosen_pieces(start, params.pieces);
   if (!pieces) return pieces.error();
   if (const auto refusal = too_many(pieces->size(), "pieces", "/pieces")) return *refusal;
+  if (params.call.commit) {
+    if (const auto defect = selvage::packing::defect_of_staying(start, *pieces)) return *defect;
+  }
   selvage::packing::Container container{selvage::packing::room_until(start.strip, length_of(start))};
   if (params.room) {
     auto given = container_of(*params.room, start.resolution);

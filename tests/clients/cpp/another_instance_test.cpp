@@ -57,6 +57,26 @@ TEST(AnotherInstance, AnIdIsUsedAgainOnlyOnceItIsTold) {
   EXPECT_EQ(server.receive()["method"], "marker.check");
 }
 
+TEST(AnotherInstance, AnIdThatWasLearntElsewhereIsUsed) {
+  StagedDaemon server;
+  Client client{server.address()};
+  Call before = client.begin("marker.check", {{"markerId", "m1"}});
+  server.accept();
+  EXPECT_EQ(server.receive()["method"], "marker.check");
+  server.disconnect();
+  server.accept_only();
+  const Json asked = server.receive();
+  EXPECT_EQ(asked["method"], "engine.info");
+  Call learnt = client.learn_marker("m1");
+  Call after = client.begin("motion.compact", {{"markerId", "m1"}});
+  Call list = client.begin("marker.list");
+  server.answer(asked["id"], {{"instance", "second"}});
+  expect_unknown(std::move(before));
+  const Answer known = learnt.answer.get();
+  EXPECT_TRUE(known && known->is_null());
+  EXPECT_EQ(server.receive()["method"], "motion.compact") << "the call that began when the id was known";
+}
+
 TEST(AnotherInstance, AWatchedMarkerIsReportedAsClosed) {
   StagedDaemon server;
   std::promise<std::string> closed;

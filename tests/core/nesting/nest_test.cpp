@@ -238,6 +238,7 @@ TEST(Nest, EndsSoonAfterItsTimeLimit) {
   const Nesting nesting = nested(marker, settings);
   EXPECT_TRUE(is_valid(nesting.marker));
   EXPECT_EQ(nesting.reason, scene::StopReason::kWorkLimit);
+  EXPECT_TRUE(nesting.out_of_time);
   EXPECT_LT(asked, 1'000);
 }
 

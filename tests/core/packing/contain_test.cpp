@@ -263,6 +263,27 @@ TEST(Contain, PiecesThatCannotMoveHaveToFitWhereTheyLie) {
   EXPECT_LE(roomy.clearance, 12'000);
 }
 
+TEST(Contain, NamesPiecesThatStayAndBreakARule) {
+  test::Layout layout = with_slot();
+  const auto half = layout.shape_of(test::rectangle(10'000, 10'000));
+  layout.put(half, {50'000, 0}).put(half, {59'000, 0}).put(half, {52'000, 5'000});
+  const Marker marker = layout.marker();
+  EXPECT_FALSE(defect_of_staying(marker, std::vector<PieceId>{{1}, {2}})) << "two of the three go elsewhere";
+  const auto overlapping = defect_of_staying(marker, std::vector<PieceId>{{1}});
+  ASSERT_TRUE(overlapping);
+  EXPECT_EQ(overlapping->code, ErrorCode::kMarkerOverlaps);
+  EXPECT_NE(overlapping->message.find("\"p2\" and \"p3\""), std::string::npos) << overlapping->message;
+
+  Marker grouped = marker;
+  grouped.pieces[1].group = grouped.pieces[2].group = "halves";
+  EXPECT_FALSE(defect_of_staying(grouped, std::vector<PieceId>{{1}})) << "its group goes with it";
+  Marker outside = marker;
+  outside.pieces[3].at = {80'000, 25'000};
+  const auto protruding = defect_of_staying(outside, std::vector<PieceId>{{1}, {bodies::unplaced_piece(marker, 0)}});
+  ASSERT_TRUE(protruding);
+  EXPECT_EQ(protruding->code, ErrorCode::kOutsideStrip);
+}
+
 TEST(Contain, KeepsTheStripsMarginsAndTheSpacing) {
   test::Layout layout{12'000};
   const auto square = layout.shape_of(test::rectangle(10'000, 10'000));

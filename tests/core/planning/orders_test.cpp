@@ -1,6 +1,7 @@
 // Orders, ratios and estimated lengths.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/planning/orders/length_estimate.h"
@@ -126,6 +127,22 @@ TEST(LengthEstimate, LearnsFromMadeMarkers) {
     EXPECT_LT(std::abs(fitted.length_of(area) - real), std::abs(guess.length_of(area) - real));
     EXPECT_NEAR(fitted.length_of(area), fitted.length_per_area() * area + fitted.length_of_ends(), 1e-9);
   }
+}
+
+TEST(LengthEstimate, KnowsHowUncertainItIs) {
+  const double width = 1500;
+  std::vector<MadeLength> made;
+  double deviation = LengthEstimate{width}.deviation_at(6'000);
+  EXPECT_NEAR(deviation, std::hypot(0.06 * (6'000 - 0.05 * width) / 1.14, 0.08 * width, 0.01 * 6'000), 1e-6);
+  for (const double area : {2e6, 3e6, 6e6, 7e6}) {
+    made.push_back({area, 1.2 * area / width + 90});
+    const LengthEstimate fitted{width, made};
+    EXPECT_LT(fitted.deviation_at(6'000), deviation);
+    deviation = fitted.deviation_at(6'000);
+    EXPECT_GT(fitted.deviation_at(12'000), deviation) << "the made markers say less about longer ones";
+  }
+  EXPECT_GT(deviation, 60) << "markers of the same area differ by 1 %";
+  EXPECT_LT(deviation, 90);
 }
 
 TEST(LengthEstimate, NeverPromisesMoreThanTheAreaOfThePieces) {

@@ -108,6 +108,76 @@ TEST(Plan, AvoidsMarkersThatTurnOutTooLongOrCannotBeMade) {
   }
 }
 
+// An order for which one lay of a marker of all three sizes is by far the cheapest, and a table on which that marker
+// fits if it is as long as `part` of its estimate, which is 1 % too long.
+struct BarelyTooLong {
+  explicit BarelyTooLong(double part) : part_{part} {
+    problem.order.garments = {{5, 5, 5}, {5, 5, 5}};
+    problem.costs.marker = 50;
+    problem.limits.over = 0;
+    problem.limits.table = 0.99 * estimated(all_sizes) + problem.cloth.end_loss;
+  }
+  [[nodiscard]] double estimated(const Ratio& ratio) const {
+    return orders::LengthEstimate{problem.cloth.width}.length_of(area_of(problem.order, ratio));
+  }
+  [[nodiscard]] double length_of(const Ratio& ratio) const {
+    return (ratio == all_sizes ? part_ : 1) * estimated(ratio);
+  }
+  [[nodiscard]] MakeMarker make() const {
+    return [this](const Ratio& ratio) { return std::optional{length_of(ratio)}; };
+  }
+
+  Problem problem = trousers();
+  Ratio all_sizes{1, 1, 1};
+
+ private:
+  double part_;
+};
+
+TEST(Plan, MakesMarkersThatMayFitAlthoughTheirEstimatesDoNot) {
+  const BarelyTooLong fits{0.985};
+  const auto plan = plan_cut(fits.problem, quick(), fits.make(), {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_TRUE(plan->complete);
+  EXPECT_EQ(plan->end, PlanEnd::kConverged);
+  ASSERT_EQ(plan->cutting.uses.size(), 1U);
+  EXPECT_EQ(plan->cutting.uses[0].candidate.ratio, fits.all_sizes);
+  EXPECT_DOUBLE_EQ(plan->cutting.uses[0].candidate.length, fits.length_of(fits.all_sizes));
+
+  const BarelyTooLong does_not{0.995};
+  const auto without = plan_cut(does_not.problem, quick(), does_not.make(), {});
+  ASSERT_TRUE(without) << without.error().message;
+  EXPECT_TRUE(without->complete);
+  for (const auto& use : without->cutting.uses) EXPECT_NE(use.candidate.ratio, does_not.all_sizes);
+}
+
+TEST(Plan, HasNoMarkerThatIsKnownToBeTooLong) {
+  const Problem problem = trousers();
+  std::set<Ratio> too_long;
+  std::stop_source stop;
+  bool stops = true;
+  const MakeMarker make = [&](const Ratio& ratio) -> std::optional<double> {
+    if (orders::bundles_in(ratio) == 1) return test::length_of_ratio(problem, ratio);
+    too_long.insert(ratio);
+    if (stops) stop.request_stop();
+    return problem.limits.table;
+  };
+  const auto stopped = plan_cut(problem, quick(), make, {.stop = stop.get_token()});
+  ASSERT_FALSE(stopped) << "its only plan has a marker that is too long";
+  EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
+
+  stops = false;
+  too_long.clear();
+  PlanSettings settings = quick();
+  settings.rounds = 1;
+  const auto plan = plan_cut(problem, settings, make, {});
+  ASSERT_TRUE(plan) << plan.error().message;
+  EXPECT_FALSE(plan->complete);
+  EXPECT_TRUE(delivers(problem, plan->cutting.uses));
+  EXPECT_FALSE(too_long.empty());
+  for (const auto& use : plan->cutting.uses) EXPECT_FALSE(too_long.contains(use.candidate.ratio));
+}
+
 TEST(Plan, SaysWhatIsInTheWay) {
   Problem problem = trousers();
   problem.limits.table = 500;

@@ -172,10 +172,32 @@ TEST(Relaxation, GenerationProvesABoundForAllRatios) {
     all.push_back({ratio, estimate.length_of(area_of(problem.order, ratio))});
     if (orders::bundles_in(ratio) == 1) singles.push_back(all.back());
   });
-  const Relaxation listed = relax(problem, all), generated = relax_by_generation(problem, singles, estimate, {});
+  const Relaxation listed = relax(problem, all), generated = relax_by_generation(problem, singles, {estimate}, {});
   ASSERT_TRUE(listed.solved && generated.solved);
   EXPECT_LE(generated.bound, listed.bound + 1e-6 * listed.bound) << "its price of a marker is lower";
   EXPECT_GT(generated.bound, 0.99 * listed.bound);
+}
+
+TEST(Relaxation, GenerationAlsoGoesBeyondTheTable) {
+  orders::Problem problem = larger_order();
+  problem.limits.table = 2'300;
+  const Estimated estimated{orders::LengthEstimate{problem.cloth.width}, 300};
+  std::vector<Candidate> all, singles;
+  bool beyond = false;
+  orders::for_each_ratio(3, problem.limits.bundles, [&](const orders::Ratio& ratio) {
+    const double length = estimated.lengths.length_of(area_of(problem.order, ratio));
+    if (!fits_table(problem, length - estimated.beyond)) return;
+    beyond = beyond || !fits_table(problem, length);
+    all.push_back({ratio, length});
+    if (orders::bundles_in(ratio) == 1) singles.push_back(all.back());
+  });
+  EXPECT_TRUE(beyond);
+  const Relaxation listed = relax(problem, all), generated = relax_by_generation(problem, singles, estimated, {});
+  const Relaxation within = relax_by_generation(problem, singles, {estimated.lengths}, {});
+  ASSERT_TRUE(listed.solved && generated.solved && within.solved);
+  EXPECT_LE(generated.bound, listed.bound + 1e-6 * listed.bound);
+  EXPECT_GT(generated.bound, 0.99 * listed.bound);
+  EXPECT_GT(within.bound, 1.001 * listed.bound);
 }
 
 // Every cutting that uses a candidate costs the bound and its extra at least.

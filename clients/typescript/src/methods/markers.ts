@@ -104,7 +104,7 @@ export interface MarkerMethods {
       pieceRules?: Array<RulesOfPieces>;
       /** Shapes that are cut roughly first, larger on some sides: [{"shape": "collar", "left": 5, "above": 5}]. */
       blocks?: Array<BlocksOfShape>;
-      /** True: the marker is closed when the connection that opens it ends. Not over plain HTTP. */
+      /** True: the marker is closed when the connection that opens it ends. Not over plain HTTP. The engine without a daemon closes all of its markers when it ends, with or without it. */
       closeWithConnection?: boolean;
       /** A name for this call; a retry with the same name gets the same result. Its length is counted in bytes of UTF-8. */
       opId?: string;

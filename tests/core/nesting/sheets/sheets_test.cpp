@@ -127,6 +127,22 @@ TEST(Sheets, ListsPiecesForWhichThereIsNoRoom) {
   for (const Piece& piece : nesting.left_over) EXPECT_EQ(piece.at, Vec{});
 }
 
+TEST(Sheets, SayWhetherTimeOrMovesWereUsedUp) {
+  const Marker marker = unplaced_pieces({rectangle(300'000, 400'000), rectangle(250'000, 100'000)}, 12, kWidth);
+  const std::vector<Sheet> sheets{plain_sheet(900'000, 900'000)};
+  const SheetNesting by_moves = laid(marker, sheets, 100);
+  EXPECT_EQ(by_moves.reason, scene::StopReason::kWorkLimit);
+  EXPECT_FALSE(by_moves.out_of_time);
+  SumCache sums;
+  SheetSettings settings;
+  settings.moves = 1'000'000'000;
+  settings.elapsed = [] { return 1.0; };
+  const auto by_time = nest_on_sheets(marker, sheets, settings, {sums});
+  ASSERT_TRUE(by_time);
+  EXPECT_EQ(by_time->reason, scene::StopReason::kWorkLimit);
+  EXPECT_TRUE(by_time->out_of_time);
+}
+
 TEST(Sheets, PreferPiecesOfHigherValue) {
   // One large piece or one small piece fits, not both.
   const Marker marker = unplaced_pieces({rectangle(800'000, 800'000), rectangle(300'000, 900'000)}, 2, kWidth);
