@@ -56,6 +56,12 @@ void add_changed_texts(const MarkerFile& file, FileFormat format, std::vector<No
                            " not have, and which are replaced; the first is " + json::shortened(Json(*first))});
 }
 
+void add_zones(const MarkerFile& file, std::vector<Note>& notes) {
+  const auto& pieces = file.marker.pieces;
+  const auto zones = std::count_if(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.rules.zone; });
+  if (zones > 0) notes.push_back({"", "zones of the cloth are left out, " + std::to_string(zones) + " in all"});
+}
+
 }  // namespace
 
 std::vector<Note> losses(const MarkerFile& file, FileFormat format) {
@@ -71,8 +77,12 @@ std::vector<Note> losses(const MarkerFile& file, FileFormat format) {
     case FileFormat::kHpgl:
     case FileFormat::kPdf:
     case FileFormat::kPdfTiles:
+      add_zones(file, notes);
+      add_changed_texts(file, format, notes);
+      break;
     case FileFormat::kReport: add_changed_texts(file, format, notes); break;
     case FileFormat::kEsicup:
+      add_zones(file, notes);
       if (auto note = trade::esicup::unit_note(file.marker)) notes.push_back(*std::move(note));
       break;
     default: break;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <unordered_map>
 #include <unordered_set>
@@ -24,7 +25,8 @@ constexpr double kTiltSlack = 5e-5;       // degrees; the same where a shape may
 // A pointer into the native form as one into this form.  `filled`: the shapes written as {outer, inner}.
 std::string renamed(const std::string& pointer, const std::vector<bool>& filled) {
   using Names = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Names, 8> kWhole{{{"/strip/width", "/strip_height"},
+  static constexpr std::array<Names, 9> kWhole{{{"/strip/width", "/strip_height"},
+                                                {"/strip/longest", "/longest"},
                                                 {"/strip/margin", "/margin"},
                                                 {"/strip/below", "/below"},
                                                 {"/strip/above", "/above"},
@@ -59,9 +61,30 @@ std::string renamed(const std::string& pointer, const std::vector<bool>& filled)
   return (of_shape ? "/items/" : "/solution/layout/placed_items/") + number + part;
 }
 
+// jagua-rs writes null where an optional field is absent.
+bool has_null(const Json& value) {
+  if (value.is_array()) return std::any_of(value.begin(), value.end(), has_null);
+  if (!value.is_object()) return value.is_null();
+  return std::any_of(value.items().begin(), value.items().end(),
+                     [](const auto& field) { return has_null(field.second); });
+}
+Json without_nulls(const Json& value) {
+  Json kept = value;
+  if (value.is_array()) {
+    std::transform(value.begin(), value.end(), kept.begin(), without_nulls);
+  } else if (value.is_object()) {
+    kept = Json::object();
+    for (const auto& [key, field] : value.items()) {
+      if (!field.is_null()) kept[key] = without_nulls(field);
+    }
+  }
+  return kept;
+}
+
 struct Reading {
   DecimalMarker marker;
   document::Attributes attributes;
+  bool solved{};                     // the file has a solution
   std::vector<bool> filled;          // per item: its shape is written as {outer, inner}
   std::vector<std::int64_t> demand;  // per item: its pieces, without zones; 0 if the file does not say
   std::vector<std::optional<marker::Quality>> accepted;  // per item: the worst class of cloth that its pieces accept
@@ -92,9 +115,8 @@ void read_outline(const Json& value, const std::string& at, DecimalShape& shape,
   }
 }
 
-// The worst class of cloth that pieces of an item accept.  jagua-rs itself writes null where there is none.
+// The worst class of cloth that pieces of an item accept.
 std::optional<marker::Quality> accepted_quality(json::Fields& fields) {
-  if (const Json* const given = fields.maybe_any("min_quality"); given == nullptr || given->is_null()) return {};
   const auto needed = fields.maybe_integer("min_quality", 0, jagua::kBestQuality);
   if (!needed || *needed == jagua::kBestQuality) return std::nullopt;
   return jagua::class_of(*needed);
@@ -115,7 +137,12 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   if (const Json* const form = value.find(jagua::kOrientation)) rest[jagua::kOrientation] = *form;
   reading.attributes.shapes.push_back(std::move(rest));
   constexpr auto kMost = static_cast<std::int64_t>(marker::kMaxPieces);
-  reading.demand.push_back(fields.maybe_integer("demand", 0, kMost).value_or(0));
+  const auto demand = fields.maybe_integer("demand", 0, kMost);
+  if (!demand && !reading.solved) {
+    reading.mistake.add(ErrorCode::kMissingField, "is missing, which only an item of a solution may leave out",
+                        fields.pointer("demand"));
+  }
+  reading.demand.push_back(demand.value_or(0));
   reading.accepted.push_back(accepted_quality(fields));
   reading.marker.shapes.push_back(std::move(shape));
 }
@@ -137,6 +164,12 @@ void read_placed(const Json& value, const std::string& at, Reading& reading) {
 void read_solution(json::Fields& fields, Reading& reading) {
   if (!fields.has("solution")) return;
   json::Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
+  if (solution.has("layouts")) {
+    reading.mistake.add(ErrorCode::kOutOfRange,
+                        "solutions of bin packing are not read; without its solution, the instance is",
+                        solution.pointer("layouts"));
+    return;
+  }
   json::Fields layout{solution.object("layout"), solution.pointer("layout"), reading.mistake};
   for (const Json& placed : layout.array("placed_items")) {
     if (reading.mistake) return;
@@ -192,7 +225,9 @@ double width_of_bins(const Json& bins, Reading& reading) {
     return 0;
   }
   const double width = jagua::widest(*read);
-  if (width >= kStripWidths.least && width <= kStripWidths.most) {
+  if (read->empty()) {
+    reading.mistake.add(ErrorCode::kOutOfRange, "have no bin that is in stock; at least one is needed", "/bins");
+  } else if (width >= kStripWidths.least && width <= kStripWidths.most) {
     reading.notes.push_back(
         {"/bins", "only nesting on sheets uses the bins; the strip is as wide as the widest of them"});
   } else {
@@ -260,12 +295,14 @@ void settle_rotations(Reading& reading) {
 
 }  // namespace
 
-Result<MarkerFile> read_sparrow(const Json& document) {
+Result<MarkerFile> read_sparrow(const Json& written) {
+  const Json document = has_null(written) ? without_nulls(written) : written;
   Reading reading;
   DecimalMarker& marker = reading.marker;
   json::Fields fields{document, "", reading.mistake};
   marker.name = fields.text_or("name", "");
   marker.unit = fields.text_or("units", "mm");
+  reading.solved = fields.has("solution");
   for (const Json& value : fields.array("items")) {
     if (reading.mistake) return reading.mistake.error();
     read_item(value, "/items/" + std::to_string(marker.shapes.size()), reading);
@@ -273,6 +310,7 @@ Result<MarkerFile> read_sparrow(const Json& document) {
   const Json* const bins = document.find("bins");
   marker.width = bins != nullptr && !fields.has("strip_height") ? width_of_bins(*bins, reading)
                                                                 : fields.number("strip_height", kStripWidths);
+  marker.longest = fields.maybe_number("longest", {0, std::numeric_limits<double>::max()});
   marker.margin = fields.number_or("margin", 0, {0, kStripWidths.most});
   marker.below = fields.maybe_number("below", {0, kStripWidths.most});
   marker.above = fields.maybe_number("above", {0, kStripWidths.most});
@@ -390,6 +428,7 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   document["units"] = marker.unit;
   document["items"] = std::move(items);
   document["strip_height"] = to_decimal(marker.strip.width, marker.resolution);
+  if (marker.strip.longest) document["longest"] = to_decimal(*marker.strip.longest, marker.resolution);
   if (marker.strip.margin > 0) document["margin"] = to_decimal(marker.strip.margin, marker.resolution);
   if (marker.strip.below) document["below"] = to_decimal(*marker.strip.below, marker.resolution);
   if (marker.strip.above) document["above"] = to_decimal(*marker.strip.above, marker.resolution);

@@ -13,8 +13,9 @@
 // solution, are the marker's unplaced pieces; their ids are the least numbers that no piece has.  They are written as
 // the part of the demand that is not placed; nothing else is kept of them.
 //
-// Fields that the format does not define are kept and written back.  Of these, Selvage reads: units, spacing (whole
-// form); tilt_limit_deg (item); id, locked, tilt_deg (placed item).
+// Fields that the format does not define are kept and written back, but for nulls, which count as absent.  Of these,
+// Selvage reads: units, spacing, longest and others of the strip (whole form); tilt_limit_deg (item); id, locked,
+// tilt_deg (placed item).
 #pragma once
 
 #include "core/base/result.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -59,15 +60,16 @@ class Driver {
   }
 
   SheetNesting nested() {
-    lay_one_after_another();
+    (void)lay_one_after_another();
     if (!used_.empty()) exchange_for_smaller(used_.size() - 1);
     keep_if_best();
     std::size_t failures = 0;
-    while (!over() && failures < kFailures && may_gain()) {
-      failures = (left_.empty() ? empty_the_emptiest() : bring_on()) ? 0 : failures + 1;
+    while (!over() && failures < kFailures && (may_gain() || has_room_left())) {
+      const bool gained = left_.empty() ? empty_the_emptiest() : may_gain() ? bring_on() : lay_one_after_another();
+      failures = gained ? 0 : failures + 1;
       keep_if_best();
     }
-    const bool converged = failures >= kFailures || !may_gain();
+    const bool converged = failures >= kFailures || (!may_gain() && !has_room_left());
     used_ = std::move(best_used_);
     left_ = std::move(best_left_);
     return result(converged);
@@ -87,7 +89,7 @@ class Driver {
 
   // Fills a sheet until this part of the whole budget is spent.
   Filled fill_until(const UsedSheet& present, const Indices& more, const std::vector<double>& values, double until) {
-    const std::uint64_t least = kLeast + 3 * more.size();
+    const std::uint64_t least = spent() < 1 ? kLeast + 3 * more.size() : 0;
     const auto over = [this, until, least](std::uint64_t moves) {
       return run_.stopped() || (moves >= least && spent(moves) >= until);
     };
@@ -98,15 +100,21 @@ class Driver {
     return done;
   }
 
-  // At most about kMostCandidates of the pieces that are left, evenly from the large to the small ones.
-  [[nodiscard]] Indices candidates() const {
+  // At most about kMostCandidates of the pieces that are left and fit the sheet, evenly from the large to the small
+  // ones.
+  [[nodiscard]] Indices candidates(std::size_t kind) const {
+    Indices fitting;
+    std::copy_if(left_.begin(), left_.end(), std::back_inserter(fitting),
+                 [&](std::size_t piece) { return fits(piece, kind); });
+    const std::size_t step = fitting.size() / kMostCandidates + 1;
     Indices chosen;
-    const std::size_t step = left_.size() / kMostCandidates + 1;
-    for (std::size_t k = 0; k < left_.size(); k += step) chosen.push_back(left_[k]);
+    for (std::size_t k = 0; k < fitting.size(); k += step) chosen.push_back(fitting[k]);
     return chosen;
   }
 
-  void lay_one_after_another() {
+  // Lays pieces that are left over on sheets that are not used; false when none of them finds room.
+  bool lay_one_after_another() {
+    const std::size_t before = used_.size();
     for (const std::size_t kind : by_size_) {
       while (used_of_[kind] < sheets_[kind].sheet->count && !left_.empty()) {
         const double now = spent();
@@ -115,7 +123,8 @@ class Driver {
         UsedSheet used{.kind = kind, .pieces = {}, .placed = {}};
         // While all that is offered finds room, more is offered.
         for (bool room = true; room && !left_.empty() && used.pieces.size() < kMostOnSheet;) {
-          const Indices offered = candidates();
+          const Indices offered = candidates(kind);
+          if (offered.empty()) break;
           const std::size_t wanted = used.pieces.size() + offered.size();
           used = fill_until(used, offered, worth_.weight, until).used;
           room = used.pieces.size() == wanted;
@@ -126,6 +135,7 @@ class Driver {
         ++used_of_[kind];
       }
     }
+    return used_.size() > before;
   }
 
   // The smallest free sheet that holds all pieces of a used one takes its place.
@@ -162,6 +172,13 @@ class Driver {
     return used_.size() > needed;
   }
   [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const { return sheets_[kind].fits[piece]; }
+  // Whether a piece that is left over fits a sheet that is not used: its filling ended early.
+  [[nodiscard]] bool has_room_left() const {
+    return std::any_of(by_size_.begin(), by_size_.end(), [this](std::size_t kind) {
+      return used_of_[kind] < sheets_[kind].sheet->count &&
+             std::any_of(left_.begin(), left_.end(), [&](std::size_t piece) { return fits(piece, kind); });
+    });
+  }
 
   // The least worth left over counts, then how few sheets are used.
   void keep_if_best() {
@@ -176,7 +193,7 @@ class Driver {
   bool bring_on() {
     UsedSheet& used = used_[dice_.below(used_.size())];
     const double before = value_of(used.pieces, worth_.weight);
-    const Filled done = fill_until(used, candidates(), worth_.weight, spent() + kTrial);
+    const Filled done = fill_until(used, candidates(used.kind), worth_.weight, spent() + kTrial);
     if (done.value <= before) return false;
     Indices off = without(used.pieces, done.used.pieces);
     left_ = without(left_, done.used.pieces);

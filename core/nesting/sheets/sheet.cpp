@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/outline/enclosed/container.h"
-#include "core/outline/set_operations.h"
+#include "core/outline/enclosed/free_area.h"
 
 namespace selvage::nesting::sheets {
 namespace {
@@ -59,16 +59,12 @@ Sheet sheet_within(const Polygon& outline, std::vector<SheetZone> zones) {
 }
 
 double area_of(const Sheet& sheet) {
-  std::vector<Polygon> taken;
-  if (sheet.outline) taken = Container{*sheet.outline}.walls;
+  const Polygon rectangle{{0, 0}, {sheet.length, 0}, {sheet.length, sheet.width}, {0, sheet.width}};
+  std::vector<Polygon> holes;
   for (const SheetZone& zone : sheet.zones) {
-    if (!zone.quality) taken.push_back(zone.outline);
+    if (!zone.quality) holes.push_back(zone.outline);
   }
-  double area = 0;
-  for (const outline::Region& region : outline::left_over({{0, 0}, {sheet.length, sheet.width}}, taken)) {
-    area += area_of(region);
-  }
-  return area;
+  return outline::enclosed::free_area(sheet.outline.value_or(rectangle), holes);
 }
 
 Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
@@ -82,6 +78,12 @@ Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
   if (sheet.outline && room != Box{{0, 0}, {sheet.length, sheet.width}}) {
     return Error{ErrorCode::kOutOfRange,
                  "is given, and the marker has a margin; sheets with an outline are allowed for markers without one",
+                 "/outline"};
+  }
+  if (sheet.outline && sheet.outline->size() > Container::kMostCorners) {
+    return Error{ErrorCode::kTooManyVertices,
+                 "has " + std::to_string(sheet.outline->size()) + " corners; up to " +
+                     std::to_string(Container::kMostCorners) + " are allowed",
                  "/outline"};
   }
   Marker result = marker;

@@ -43,6 +43,17 @@ std::vector<bool> fitting(const Marker& bare, const std::vector<Piece>& pieces, 
   return all;
 }
 
+// Shelves do not look at zones, which come first: pieces that lie over one are taken off.
+void take_off_zones(const Marker& all, std::size_t zones, std::vector<bool>& lies) {
+  std::vector<std::size_t> lying;  // in their order
+  for (std::size_t i = 0; i < lies.size(); ++i) {
+    if (lies[i]) lying.push_back(i);
+  }
+  for (const marker::Overlap& overlap : marker::overlaps_unmeasured(filling::with_lying_pieces(all, lies))) {
+    if (overlap.first.value < zones) lies[lying[overlap.second.value]] = false;
+  }
+}
+
 }  // namespace
 
 Result<ReadySheet> ready(const Marker& marker, const std::vector<Piece>& pieces, const Sheet& sheet, SumCache& sums) {
@@ -83,6 +94,7 @@ Filled filled(const ReadySheet& sheet, const UsedSheet& present, const std::vect
                                  .tuning = task.tuning.fill};
   for (const std::size_t piece : named) settings.values.push_back(task.values[piece]);
   std::vector<bool> lies = filling::pieces_before(*all, *start.strip.last());
+  take_off_zones(*all, zones, lies);
   if (!is_valid(filling::with_lying_pieces(*all, lies))) {  // shelves do not always keep bands and shades
     std::fill(lies.begin() + static_cast<std::ptrdiff_t>(zones + present.placed.size()), lies.end(), false);
   }

@@ -6,6 +6,7 @@
 // Units: lattice units.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/geometry/polygon.h"
@@ -13,8 +14,11 @@
 namespace selvage::outline::enclosed {
 
 struct Container {
+  // A wall has corners of the polygon, and at most the four of the box.
+  static constexpr std::size_t kMostCorners = geometry::kMaxVertices - 4;
+
   Container(const Box& whole) : box{whole} {}  // NOLINT(*-explicit-*): a box is a container
-  // REQUIRES: as clean_polygon returns them.
+  // REQUIRES: as clean_polygon returns them, with at most kMostCorners corners.
   explicit Container(const Polygon& polygon);
 
   Box box;

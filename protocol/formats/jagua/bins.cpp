@@ -1,6 +1,7 @@
 #include "protocol/formats/jagua/bins.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -8,6 +9,7 @@ namespace selvage::protocol::formats::jagua {
 namespace {
 
 constexpr std::int64_t kMostInStock = 1'000;
+constexpr std::size_t kMostZones = 1'000;  // of one bin, holes among them
 constexpr json::Range kNumbers{-1e12, 1e12};
 
 double number_of(const Json& value, const std::string& at, json::Mistake& mistake) {
@@ -80,14 +82,19 @@ void add_zone(const Json& value, const std::string& at, Bin& bin, json::Mistake&
 Bin read_bin(const Json& value, const std::string& at, json::Mistake& mistake) {
   json::Fields fields{value, at, mistake};
   BinShape shape = read_shape(fields.object("shape"), fields.pointer("shape"), mistake);
-  Bin bin{.outline = std::move(shape.outline), .rectangle = shape.rectangle, .zones = {}, .count = 1};
+  Bin bin{.field = at, .outline = std::move(shape.outline), .rectangle = shape.rectangle, .zones = {}, .count = 1};
   for (BinPolygon& hole : shape.holes) bin.zones.push_back({std::move(hole), std::nullopt});
   if (const Json* zones = fields.maybe_array("zones")) {
     for (std::size_t k = 0; k < zones->size() && !mistake; ++k) {
       add_zone((*zones)[k], fields.pointer("zones") + "/" + std::to_string(k), bin, mistake);
     }
   }
+  if (bin.zones.size() > kMostZones) {
+    mistake.add(ErrorCode::kOutOfRange,
+                "has " + std::to_string(bin.zones.size()) + " holes and zones; up to 1,000 are allowed", at);
+  }
   const double stock = fields.number_or("stock", 1, {0, std::numeric_limits<double>::max()});
+  if (stock != std::floor(stock)) mistake.add(ErrorCode::kOutOfRange, "is no whole number", fields.pointer("stock"));
   bin.count = static_cast<std::size_t>(std::min(stock, static_cast<double>(kMostInStock)));
   return bin;
 }

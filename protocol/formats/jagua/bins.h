@@ -33,6 +33,7 @@ struct BinZone {
   std::optional<marker::Quality> quality{};  // its class; none: a hole
 };
 struct Bin {
+  std::string field;  // a JSON pointer to it in the instance
   BinPolygon outline;
   bool rectangle{};
   std::vector<BinZone> zones;  // those of the best quality are left out
@@ -40,7 +41,8 @@ struct Bin {
 };
 
 // The bins of the field "bins".  Bins of which none is in stock are left out.
-// Errors: kMissingField, kWrongType, kOutOfRange for what is no list of bins.
+// Errors: kMissingField, kWrongType, kOutOfRange for what is no list of bins, and for more than 1,000 holes and zones
+// of one bin.
 [[nodiscard]] Result<std::vector<Bin>> read_bins(const Json& bins);
 
 // The size across of the largest one, 0 when there is none.

@@ -1,13 +1,13 @@
 // marker.nestSheets: nests all pieces of a marker on sheets of given sizes and forms.
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/nesting/sheets/nest_on_sheets.h"
 #include "protocol/edits/changes.h"
 #include "protocol/files/writing.h"
+#include "protocol/formats/format.h"
 #include "protocol/methods/motions/nest_params.h"
 #include "protocol/methods/motions/sheet_params.h"
 #include "protocol/methods/readings/reading.h"
@@ -60,7 +60,7 @@ struct NestSheetsResult {
 
   static void describe(auto& v, auto& self) {
     v.required("sheets", self.sheets, "The sheets that are used.");
-    v.required("leftOver", self.left_over, "Ids of the pieces for which there is no room.");
+    v.required("leftOver", self.left_over, "Ids of the pieces for which no room was found.");
     v.required("moves", self.moves, "Number of moves of a piece in the search.");
     v.required("stop", self.stop, calls::kStopMeaning);
   }
@@ -89,6 +89,20 @@ MarkerFile with_sheet(const MarkerFile& file, Marker marker) {
   return edits::with_marker(known, std::move(marker));
 }
 
+// Why the marker of a sheet could not be read again, such as for coordinates that are too large; before the search.
+std::optional<Error> unreadable(const MarkerFile& file, const GivenSheet& given) {
+  auto marker = nesting::sheets::bare(file.marker, given.sheet);
+  if (!marker) return std::nullopt;  // which the search says
+  const auto& pieces = file.marker.unplaced.empty() ? file.marker.pieces : file.marker.unplaced;
+  if (pieces.empty()) return std::nullopt;
+  marker->unplaced = {pieces.front()};
+  const auto document = files::marker_document(with_sheet(file, *std::move(marker)), files::FileFormat::kNative);
+  if (!document) return document.error();
+  const auto read = formats::read_document(*document);
+  if (read) return std::nullopt;
+  return Error{read.error().code, "no marker can have this sheet: " + read.error().message, given.field};
+}
+
 Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const MarkerFile& file,
                                          const calls::MethodContext& context) {
   const auto given = sheets_of(params.sheets, file);
@@ -102,14 +116,13 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
   settings.elapsed = std::move(budget->elapsed);
   settings.seed = params.effort.seed;
   settings.values = *std::move(values);
-  auto done = nest_on_sheets(file.marker, given->sheets, settings, context.run);
-  if (!done) {
-    Error error = done.error();
-    constexpr std::string_view kList = "/sheets";
-    if (error.field.starts_with(kList)) error.field.replace(0, kList.size(), given->field);
-    return error;
+  std::vector<nesting::sheets::Sheet> sheets;
+  for (const GivenSheet& one : *given) {
+    if (auto error = unreadable(file, one)) return *std::move(error);
+    sheets.push_back(one.sheet);
   }
-
+  auto done = nest_on_sheets(file.marker, sheets, settings, context.run);
+  if (!done) return with_field_of(done.error(), *given);
   NestSheetsResult result{.sheets = {},
                           .left_over = {},
                           .moves = done->moves,
@@ -117,7 +130,7 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
   for (nesting::sheets::SheetLayout& layout : done->layouts) {
     NestedSheet nested{.sheet = layout.sheet,
                        .pieces = piece_count(layout.marker),
-                       .utilisation = utilisation_on(given->sheets[layout.sheet], layout.marker),
+                       .utilisation = utilisation_on(sheets[layout.sheet], layout.marker),
                        .marker = {}};
     auto document = files::marker_document(with_sheet(file, std::move(layout.marker)), files::FileFormat::kNative);
     if (!document) return document.error();

@@ -101,53 +101,84 @@ Result<Polygon> polygon_of(const formats::jagua::BinPolygon& given, Resolution r
   return polygon_of(corners, resolution, given.field);
 }
 
-Result<Sheet> sheet_of(const Bin& bin, Resolution resolution) {
-  const auto outline = polygon_of(bin.outline, resolution);
-  if (!outline) return outline.error();
+Result<Sheet> rectangle_of(const Bin& bin, Resolution resolution) {
+  const document::Spot low = bin.outline.corners[0], high = bin.outline.corners[2];
+  SheetParams params;
+  params.width = high.y - low.y;
+  params.length = high.x - low.x;
+  return rectangle_of(params, resolution, bin.outline.field);
+}
+
+Result<std::vector<SheetZone>> zones_of(const Bin& bin, Resolution resolution) {
   std::vector<SheetZone> zones;
   for (const formats::jagua::BinZone& given : bin.zones) {
     auto zone = polygon_of(given.outline, resolution);
     if (!zone) return zone.error();
     zones.push_back({*std::move(zone), given.quality});
   }
-  Sheet sheet = nesting::sheets::sheet_within(*outline, std::move(zones));
-  if (bin.rectangle) sheet.outline.reset();  // it has no walls, and may have a margin
+  return zones;
+}
+
+Result<Sheet> sheet_of(const Bin& bin, Resolution resolution) {
+  const auto outline = polygon_of(bin.outline, resolution);
+  if (!outline) return outline.error();
+  auto zones = zones_of(bin, resolution);
+  if (!zones) return zones.error();
+  Sheet sheet = nesting::sheets::sheet_within(*outline, *std::move(zones));
+  if (bin.rectangle) {  // it has no walls, may have a margin, and is rounded down
+    const auto rectangle = rectangle_of(bin, resolution);
+    if (!rectangle) return rectangle.error();
+    sheet.outline.reset();
+    sheet.width = rectangle->width;
+    sheet.length = rectangle->length;
+  }
   sheet.count = bin.count;
   return sheet;
 }
 
-Result<GivenSheets> sheets_of_bins(const Json& listed, Resolution resolution) {
+Result<std::vector<GivenSheet>> sheets_of_bins(const Json& listed, Resolution resolution) {
   const auto bins = formats::jagua::read_bins(listed);
   if (!bins) return bins.error();
   if (bins->empty() || bins->size() > kMostSheets) {
     return Error{ErrorCode::kOutOfRange,
                  std::to_string(bins->size()) + " kinds of bins are in stock; 1 to 100 are allowed", "/bins"};
   }
-  GivenSheets given{.sheets = {}, .field = "/bins"};
+  std::vector<GivenSheet> given;
   for (const Bin& bin : *bins) {
     auto sheet = sheet_of(bin, resolution);
     if (!sheet) return sheet.error();
-    given.sheets.push_back(*std::move(sheet));
+    given.push_back({*std::move(sheet), bin.field, bin.outline.field});
   }
   return given;
 }
 
 }  // namespace
 
-Result<GivenSheets> sheets_of(const std::optional<std::vector<SheetParams>>& params, const MarkerFile& file) {
+Result<std::vector<GivenSheet>> sheets_of(const std::optional<std::vector<SheetParams>>& params,
+                                          const MarkerFile& file) {
   const Resolution resolution = file.marker.resolution;
   if (!params) {
     if (const Json* const bins = file.attributes.whole.find("bins")) return sheets_of_bins(*bins, resolution);
     return Error{ErrorCode::kMissingField,
                  "is missing, and the opened file has no bins; 1 to 100 kinds of sheets are allowed", "/sheets"};
   }
-  GivenSheets given{.sheets = {}, .field = "/sheets"};
+  std::vector<GivenSheet> given;
   for (const SheetParams& one : *params) {
-    auto sheet = sheet_of(one, resolution, "/sheets/" + std::to_string(given.sheets.size()));
+    const std::string field = "/sheets/" + std::to_string(given.size());
+    auto sheet = sheet_of(one, resolution, field);
     if (!sheet) return sheet.error();
-    given.sheets.push_back(*std::move(sheet));
+    given.push_back({*std::move(sheet), field, field + "/outline"});
   }
   return given;
+}
+
+Error with_field_of(Error error, const std::vector<GivenSheet>& sheets) {
+  for (std::size_t k = 0; k < sheets.size(); ++k) {
+    const std::string own = "/sheets/" + std::to_string(k);
+    if (error.field == own) error.field = sheets[k].field;
+    if (error.field == own + "/outline") error.field = sheets[k].outline_field;
+  }
+  return error;
 }
 
 }  // namespace selvage::protocol::methods::motions

@@ -76,14 +76,18 @@ struct SheetParams {
   }
 };
 
-struct GivenSheets {
-  std::vector<nesting::sheets::Sheet> sheets;
-  std::string field;  // a JSON pointer to the list that they were read from
+// A sheet, and JSON pointers to it and to its outline: into the parameters, or into the file with its bins.
+struct GivenSheet {
+  nesting::sheets::Sheet sheet;
+  std::string field, outline_field;
 };
 
 // The sheets of the parameter or, without it, the bins of the file's instance (protocol/formats/jagua/bins.h).
 // Errors: kMissingField when there are neither; kOutOfRange for what is no sheet, and for too many bins.
-[[nodiscard]] Result<GivenSheets> sheets_of(const std::optional<std::vector<SheetParams>>& params,
-                                            const MarkerFile& file);
+[[nodiscard]] Result<std::vector<GivenSheet>> sheets_of(const std::optional<std::vector<SheetParams>>& params,
+                                                        const MarkerFile& file);
+
+// The error of nesting on these sheets, whose field begins with "/sheets/K", with the pointers of sheet K.
+[[nodiscard]] Error with_field_of(Error error, const std::vector<GivenSheet>& sheets);
 
 }  // namespace selvage::protocol::methods::motions

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "clients/cli/commands/marker_run.h"
@@ -112,6 +113,16 @@ std::optional<Error> save_sheet(const MarkerFile& sheet, std::size_t number, con
                               protocol::drawing::to_svg(sheet.marker, protocol::drawing::svg_options(sheet)));
 }
 
+// A file of the next number would be taken for one of this run.
+void warn_of_earlier(const MarkerFiles& files, std::size_t sheets) {
+  for (const std::string& base : {files.out, files.svg, files.outlines}) {
+    if (base.empty()) continue;
+    const std::string next = numbered(base, sheets + 1);
+    std::error_code none;
+    if (std::filesystem::exists(next, none)) std::cerr << "note: " << next << " is left from an earlier run\n";
+  }
+}
+
 std::string summary_of(const std::string& name, const Json& fields) {
   const Json& sheets = fields["sheets"];
   std::string text = (name.empty() ? "marker" : name) + ": " + std::to_string(sheets.size()) +
@@ -174,6 +185,7 @@ ExitCode nest_on_sheets(Json params, const MarkerFiles& files, const command_lin
     if (const auto error = save_sheet(*sheet, k + 1, files)) return terminal::report(*error);
     fields["sheets"][k].erase("marker");
   }
+  warn_of_earlier(files, fields["sheets"].size());
   if (json) {
     Json left_over = std::move(fields["leftOver"]);
     fields.erase("leftOver");

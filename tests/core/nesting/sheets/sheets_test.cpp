@@ -228,6 +228,40 @@ TEST(Sheets, HolesMayOverlapAndReachBeyondTheSheet) {
   EXPECT_EQ(nesting.layouts[0].marker.pieces.back().at, (Vec{40'000, 0}));
 }
 
+TEST(Sheets, WithAHideOfTheMostCornersKeepAllItsWalls) {
+  // A parabola, closed by its chord: the wall below it has all corners of the outline, and one of the box.
+  const auto parabola = [](Coord corners) {
+    Polygon outline;
+    for (Coord k = 0; k < corners; ++k) outline.push_back({1'000 * k, k * k});
+    return outline;
+  };
+  const Marker marker = unplaced_pieces({rectangle(900'000, 900'000)}, 1, kWidth);
+  const SheetNesting nesting = laid(marker, {sheet_within(parabola(1'996), {})}, 100);
+  EXPECT_TRUE(nesting.layouts.empty());
+  SumCache sums;
+  const std::vector<Sheet> larger{sheet_within(parabola(1'997), {})};
+  const auto refused = nest_on_sheets(marker, larger, {.moves = 100}, {sums});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kTooManyVertices);
+  EXPECT_EQ(refused.error().field, "/sheets/0/outline");
+}
+
+TEST(Sheets, WithZonesHavePiecesEvenWithoutABudget) {
+  Sheet sheet = plain_sheet(kWidth, kWidth, 4);
+  sheet.zones = {{rectangle(250'000, 250'000)}};
+  const Marker marker = unplaced_pieces({rectangle(200'000, 200'000)}, 60, kWidth);
+  const SheetNesting nesting = laid(marker, {sheet}, 0);
+  EXPECT_TRUE(nesting.left_over.empty());
+  for (const SheetLayout& layout : nesting.layouts) EXPECT_TRUE(is_valid(layout.marker));
+}
+
+TEST(Sheets, PiecesThatFitNoSheetDoNotHideThoseThatDo) {
+  // Every second piece is too long, and more pieces are left over than are offered at once.
+  const Marker marker = unplaced_pieces({rectangle(600'000, 10'000), rectangle(10'000, 10'000)}, 1'600, kWidth);
+  const SheetNesting nesting = laid(marker, {plain_sheet(300'000, 300'000, 3)}, 0);
+  EXPECT_EQ(nesting.left_over.size(), 800u);
+}
+
 TEST(Sheets, WithoutABudgetAreStillValid) {
   const Marker marker = unplaced_pieces({rectangle(300'000, 200'000), rectangle(100'000, 400'000)}, 40, kWidth);
   const SheetNesting nesting = laid(marker, {plain_sheet(kWidth, kWidth, 9)}, 0);

@@ -77,6 +77,17 @@ TEST(Bins, StayInTheFile) {
   }
 }
 
+TEST(Bins, NullsCountAsAbsent) {
+  Json document = instance();
+  document["solution"] = nullptr;
+  document["items"][0]["allowed_orientations"] = nullptr;
+  document["bins"][0]["stock"] = nullptr;
+  document["bins"][2]["zones"] = nullptr;
+  const auto file = read_document(document);
+  ASSERT_TRUE(file) << file.error().field << " " << file.error().message;
+  EXPECT_TRUE(file->marker.shapes[0].rotations.empty());  // any
+}
+
 TEST(Bins, MistakesAreNamedWithTheirField) {
   struct Case {
     std::string pointer;
@@ -89,6 +100,7 @@ TEST(Bins, MistakesAreNamedWithTheirField) {
       {"shape", {{"type", "simple_polygon"}, {"data", {1, 2}}}, "/bins/0/shape/data/0"},
       {"shape", {{"type", "simple_polygon"}, {"data", Json::array({Json::array({"a", 2})})}}, "/bins/0/shape/data/0/0"},
       {"stock", "many", "/bins/0/stock"},
+      {"stock", 1.5, "/bins/0/stock"},
       {"zones", Json::array({Json::object({{"shape", Json::object()}})}), "/bins/0/zones/0/quality"},
   };
   for (const Case& wrong : cases) {
@@ -101,6 +113,16 @@ TEST(Bins, MistakesAreNamedWithTheirField) {
   Json empty = instance();
   empty["bins"] = Json::array();
   EXPECT_EQ(read_document(empty).error().field, "/bins");
+  Json solved = instance();
+  solved["solution"] = {{"layouts", Json::array()}};
+  EXPECT_EQ(read_document(solved).error().field, "/solution/layouts");
+  Json endless = instance();
+  endless["items"][1].erase("demand");
+  EXPECT_EQ(read_document(endless).error().field, "/items/1/demand");
+  Json holed = instance();
+  Json& shape = holed["bins"][2]["shape"];
+  for (int k = 0; k < 1'000; ++k) shape["data"]["inner"].push_back(shape["data"]["inner"][0]);
+  EXPECT_EQ(read_document(holed).error().field, "/bins/2");
 }
 
 }  // namespace
