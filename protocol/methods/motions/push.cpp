@@ -1,7 +1,6 @@
 // motion.push: pieces follow forces, at fixed length [Li94 4.2.2].
 #include <string>
 
-#include "protocol/formats/decimal_marker.h"
 #include "protocol/methods/motions/forces.h"
 
 namespace selvage::protocol::methods::motions {
@@ -47,16 +46,6 @@ Result<calls::Motion<PushResult>> run_push(const PushParams& params, const Marke
 }
 
 }  // namespace
-
-Result<calls::Motion<PushResult>> follow_forces(const std::vector<motion::compaction::Force>& forces,
-                                                const calls::Effort& effort, const Marker& start,
-                                                const calls::MethodContext& context) {
-  auto done = motion::compaction::push(start, forces, settings_of(effort), context.run);
-  if (!done) return done.error();
-  const PushResult result{formats::in_unit(done->gain, start.resolution),
-                          {done->rounds, stop_cause(done->reason, context)}};
-  return calls::Motion<PushResult>{{std::move(done->marker), done->repair}, result};
-}
 
 calls::Method push_method() {
   return calls::motion_method("motion.push", calls::MethodKind::kMotion,

@@ -1,4 +1,4 @@
-#include "protocol/methods/motions/sheet_params.h"
+#include "protocol/methods/nesting/sheet_params.h"
 
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace selvage::protocol::schema {
 
-using methods::motions::SheetOutline;
+using methods::nesting::SheetOutline;
 
 Json Wire<SheetOutline>::write(const SheetOutline& value) {
   Json corners = Json::array();
@@ -27,12 +27,12 @@ SheetOutline Wire<SheetOutline>::read_entry(const Json& value, const std::string
 
 }  // namespace selvage::protocol::schema
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 namespace {
 
 using formats::jagua::Bin;
-using nesting::sheets::Sheet;
-using nesting::sheets::SheetZone;
+using selvage::nesting::sheets::Sheet;
+using selvage::nesting::sheets::SheetZone;
 
 Result<Polygon> polygon_of(const std::vector<calls::Point>& given, Resolution resolution, const std::string& field) {
   Polygon corners;
@@ -89,7 +89,7 @@ Result<Sheet> sheet_of(const SheetParams& params, Resolution resolution, const s
   } else {
     const auto outline = polygon_of(params.outline->corners, resolution, field + "/outline");
     if (!outline) return outline.error();
-    sheet = nesting::sheets::sheet_within(*outline, *std::move(zones));
+    sheet = selvage::nesting::sheets::sheet_within(*outline, *std::move(zones));
   }
   sheet->count = params.count;
   return sheet;
@@ -124,7 +124,7 @@ Result<Sheet> sheet_of(const Bin& bin, Resolution resolution) {
   if (!outline) return outline.error();
   auto zones = zones_of(bin, resolution);
   if (!zones) return zones.error();
-  Sheet sheet = nesting::sheets::sheet_within(*outline, *std::move(zones));
+  Sheet sheet = selvage::nesting::sheets::sheet_within(*outline, *std::move(zones));
   if (bin.rectangle) {  // it has no walls, may have a margin, and is rounded down
     const auto rectangle = rectangle_of(bin, resolution);
     if (!rectangle) return rectangle.error();
@@ -181,4 +181,4 @@ Error with_field_of(Error error, const std::vector<GivenSheet>& sheets) {
   return error;
 }
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting

@@ -13,7 +13,7 @@
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/schema/visitors.h"
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 
 inline constexpr std::size_t kMostSheets = 100;
 
@@ -22,21 +22,21 @@ struct SheetOutline {
   std::vector<calls::Point> corners;
 };
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting
 
 namespace selvage::protocol::schema {
 
 template <>
-struct Wire<methods::motions::SheetOutline> {
+struct Wire<methods::nesting::SheetOutline> {
   static Type type() { return list_of(Wire<calls::Point>::type()); }
-  static Json write(const methods::motions::SheetOutline& value);
-  static void read(const FieldAt& at, methods::motions::SheetOutline& value);
-  static methods::motions::SheetOutline read_entry(const Json& value, const std::string& at, json::Mistake& mistake);
+  static Json write(const methods::nesting::SheetOutline& value);
+  static void read(const FieldAt& at, methods::nesting::SheetOutline& value);
+  static methods::nesting::SheetOutline read_entry(const Json& value, const std::string& at, json::Mistake& mistake);
 };
 
 }  // namespace selvage::protocol::schema
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 
 struct SheetZoneParams {
   static constexpr std::string_view kName = "SheetZone";
@@ -78,7 +78,7 @@ struct SheetParams {
 
 // A sheet, and JSON pointers to it and to its outline: into the parameters, or into the file with its bins.
 struct GivenSheet {
-  nesting::sheets::Sheet sheet;
+  selvage::nesting::sheets::Sheet sheet;
   std::string field, outline_field;
 };
 
@@ -90,4 +90,4 @@ struct GivenSheet {
 // The error of nesting on these sheets, whose field begins with "/sheets/K", with the pointers of sheet K.
 [[nodiscard]] Error with_field_of(Error error, const std::vector<GivenSheet>& sheets);
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting

@@ -1,4 +1,4 @@
-#include "protocol/methods/motions/nest_params.h"
+#include "protocol/methods/nesting/nest_params.h"
 
 #include <algorithm>
 #include <chrono>
@@ -7,7 +7,7 @@
 #include "protocol/execution/time_limit.h"
 #include "protocol/formats/decimal_marker.h"
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 namespace {
 
 constexpr std::uint64_t kStandardMoves = 20'000;
@@ -67,4 +67,4 @@ Result<std::map<std::string, double, std::less<>>> values_of(const std::optional
   return by_id;
 }
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting

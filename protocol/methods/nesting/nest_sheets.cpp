@@ -8,12 +8,12 @@
 #include "protocol/edits/changes.h"
 #include "protocol/files/writing.h"
 #include "protocol/formats/format.h"
-#include "protocol/methods/motions/nest_params.h"
-#include "protocol/methods/motions/sheet_params.h"
+#include "protocol/methods/nesting/nest_params.h"
+#include "protocol/methods/nesting/sheet_params.h"
 #include "protocol/methods/readings/reading.h"
 #include "protocol/schema/documents.h"
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 namespace {
 
 struct NestSheetsParams {
@@ -66,7 +66,7 @@ struct NestSheetsResult {
   }
 };
 
-double utilisation_on(const nesting::sheets::Sheet& sheet, const Marker& marker) {
+double utilisation_on(const selvage::nesting::sheets::Sheet& sheet, const Marker& marker) {
   double area = 0;
   for (const Piece& piece : marker.pieces) {
     const Shape& shape = marker.shapes[piece.shape.value];
@@ -91,7 +91,7 @@ MarkerFile with_sheet(const MarkerFile& file, Marker marker) {
 
 // Why the marker of a sheet could not be read again, such as for coordinates that are too large; before the search.
 std::optional<Error> unreadable(const MarkerFile& file, const GivenSheet& given) {
-  auto marker = nesting::sheets::bare(file.marker, given.sheet);
+  auto marker = selvage::nesting::sheets::bare(file.marker, given.sheet);
   if (!marker) return std::nullopt;  // which the search says
   const auto& pieces = file.marker.unplaced.empty() ? file.marker.pieces : file.marker.unplaced;
   if (pieces.empty()) return std::nullopt;
@@ -111,12 +111,12 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
   if (!budget) return budget.error();
   auto values = values_of(params.values, file.marker);
   if (!values) return values.error();
-  nesting::sheets::SheetSettings settings;
+  selvage::nesting::sheets::SheetSettings settings;
   settings.moves = budget->moves;
   settings.elapsed = std::move(budget->elapsed);
   settings.seed = params.effort.seed;
   settings.values = *std::move(values);
-  std::vector<nesting::sheets::Sheet> sheets;
+  std::vector<selvage::nesting::sheets::Sheet> sheets;
   for (const GivenSheet& one : *given) {
     if (auto error = unreadable(file, one)) return *std::move(error);
     sheets.push_back(one.sheet);
@@ -127,7 +127,7 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
                           .left_over = {},
                           .moves = done->moves,
                           .stop = cause_of_end(done->reason, done->out_of_time, context)};
-  for (nesting::sheets::SheetLayout& layout : done->layouts) {
+  for (selvage::nesting::sheets::SheetLayout& layout : done->layouts) {
     NestedSheet nested{.sheet = layout.sheet,
                        .pieces = piece_count(layout.marker),
                        .utilisation = utilisation_on(sheets[layout.sheet], layout.marker),
@@ -150,4 +150,4 @@ calls::Method nest_sheets_method() {
                                   run_nest_sheets);
 }
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting

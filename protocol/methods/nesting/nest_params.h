@@ -15,7 +15,7 @@
 #include "protocol/calls/values.h"
 #include "protocol/schema/visitors.h"
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 
 inline constexpr double kMostMoves = 1e12, kMostSeconds = 24 * 3'600;
 
@@ -41,7 +41,7 @@ struct NestEffort {
 
 struct NestBudget {
   std::uint64_t moves{};
-  std::function<double()> elapsed;  // as in nesting::NestSettings; its clock starts when the budget is made
+  std::function<double()> elapsed;  // as in selvage::nesting::NestSettings; its clock starts when the budget is made
 };
 // Errors: kOutOfRange when an accuracy and seconds are given.
 [[nodiscard]] Result<NestBudget> budget_of(const NestEffort& effort);
@@ -68,4 +68,4 @@ inline constexpr std::string_view kValuesMeaning =
 [[nodiscard]] Result<std::map<std::string, double, std::less<>>> values_of(
     const std::optional<std::vector<PieceValue>>& values, const Marker& marker);
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "protocol/calls/motion.h"
-#include "protocol/methods/motions/nest_params.h"
+#include "protocol/methods/nesting/nest_params.h"
 
-namespace selvage::protocol::methods::motions {
+namespace selvage::protocol::methods::nesting {
 namespace {
 
 constexpr double kMostSearches = 64;
@@ -53,25 +53,27 @@ struct NestResult {
 };
 
 // With a limit in time, spare threads make the marker shorter and take nothing from the first search.
-std::size_t searches_of(const NestParams& params, const nesting::NestSettings& settings, const Executor& executor) {
+std::size_t searches_of(const NestParams& params, const selvage::nesting::NestSettings& settings,
+                        const Executor& executor) {
   constexpr std::size_t kMostUnasked = 16;
   if (params.searches) return *params.searches;
   return settings.elapsed ? std::min(executor.parallelism(), kMostUnasked) : 1;
 }
 
-Result<nesting::NestSettings> settings_of(const NestParams& params, const Marker& start, const Executor& executor) {
+Result<selvage::nesting::NestSettings> settings_of(const NestParams& params, const Marker& start,
+                                                   const Executor& executor) {
   auto budget = budget_of(params.effort);
   if (!budget) return budget.error();
   auto values = values_of(params.values, start);
   if (!values) return values.error();
-  nesting::NestSettings settings;
+  selvage::nesting::NestSettings settings;
   settings.moves = budget->moves;
   settings.elapsed = std::move(budget->elapsed);
   settings.values = *std::move(values);
   settings.searches = searches_of(params, settings, executor);
   settings.seed = params.effort.seed;
   settings.from_scratch = params.from_scratch;
-  if (params.keep_placed) settings.placed = nesting::layout::PlacedPiecesMay::kNotMove;
+  if (params.keep_placed) settings.placed = selvage::nesting::layout::PlacedPiecesMay::kNotMove;
   return settings;
 }
 
@@ -99,4 +101,4 @@ calls::Method nest_method() {
                               "Places all pieces, so that the marker is as short as the budget allows.", run_nest);
 }
 
-}  // namespace selvage::protocol::methods::motions
+}  // namespace selvage::protocol::methods::nesting
