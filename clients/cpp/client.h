@@ -64,9 +64,10 @@ class Client {
   [[nodiscard]] Call begin(std::string_view method, Json params = Json::object());
   // Waits for the answer.  REQUIRES: not called on the client's own thread.
   Answer call(std::string_view method, Json params = Json::object());
-  // Says that somebody else has told this id of a marker that is open now.  Calls that begin afterwards use it even if
-  // it named a marker that was lost with an earlier instance of the daemon.  Nothing about the marker is sent; the
-  // answer is null once the client is connected and knows the daemon's instance, or the error that prevented it.
+  // Tells the client that this id, received from elsewhere, names a marker that is open now.  Calls that begin
+  // afterwards use it even if it named a marker that was lost with an earlier instance of the daemon.  Nothing about
+  // the marker is sent; the answer is null once the client is connected and knows the daemon's instance, or the error
+  // that prevented it.
   [[nodiscard]] Call learn_marker(std::string marker_id);
   // Requests that the call be cancelled.  It is answered kCancelled, or as usual if it had already finished.
   void cancel(CallId id);

@@ -149,7 +149,7 @@ void Conversation::refuse_calls(const CallError& busy) {
 void Conversation::send(CallId id) {
   OpenCall& call = open_.at(id);
   // In its turn: unanswered calls that began before mean the marker that had the id then.
-  if (call.method.empty()) {
+  if (call.only_learns) {
     homes_.learn(call.marker);
     return answer(id, Json(nullptr));
   }

@@ -29,11 +29,12 @@ namespace selvage::client {
 class Connection;
 
 struct OpenCall {
-  std::string method;  // empty: nothing is sent; the id of the marker was told, and may be used in the present instance
+  std::string method;
   std::string marker;  // the id of the marker that the call concerns; empty if there is none
   std::string line;    // the request, ending in a newline
   bool sent{};
   std::promise<Answer> promise;
+  bool only_learns{};  // nothing is sent: from now on, the id names a marker of the present instance
 };
 
 class Conversation {

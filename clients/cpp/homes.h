@@ -1,7 +1,8 @@
 // The instances of the daemon in which the ids of markers have their meaning.
 //
 // A daemon without a store gives the ids of markers to other markers when it is started again.  So the client remembers
-// the instance that returned an id, or in which it was first used, and uses it in no other one before that returns it.
+// the instance that returned an id, or in which it was first used.  In another one it refuses the id until that returns
+// it or the program vouches for it (learn).
 #pragma once
 
 #include <map>

@@ -56,7 +56,7 @@ struct Nesting : motion::repair::MotionResult {
   std::size_t search{};              // the one that the answer is from
   std::vector<Improvement> history;  // of that search
   std::size_t left_over{};           // pieces that are unplaced because the cloth ends
-  bool out_of_time{};                // with kWorkLimit: not the moves were used up, but `elapsed` reached 1
+  bool out_of_time{};                // with kWorkLimit: its share of the time ended it, not the moves
 };
 
 // More pieces than NestTuning::most_pieces are nested in batches, one after another (batches/batches.h).

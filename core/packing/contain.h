@@ -5,8 +5,8 @@
 // Laws.  (1) A layout that is found is valid, proved in integers, unless other pieces of the marker break a rule; these
 // are not looked at (defect_of_staying).  (2) `kImpossible` is proved: no layout on the lattice has the pieces inside
 // the container in any of the orientations that the search may use.  (3) In a larger container, what was found does not
-// become impossible. (4) The same input and settings give the same answer, whatever the cache holds and however many
-// threads are used.
+// become impossible.
+// (4) The same input and settings give the same answer, whatever the cache holds and however many threads are used.
 #pragma once
 
 #include <optional>

@@ -11,8 +11,9 @@
 // Laws.  (1) The plan delivers no fewer and no more garments of any colour and size than the limits allow, checked in
 // integers.  (2) With `complete`, every marker of it was made and fits the table; else those that were made fit, and
 // the estimates of the others do, unless they are single bundles.  (3) bound <= cost; the bound holds for all ratios at
-// the lengths that the last round used, of which those of markers that were not made are estimates. (4) The same
-// problem and settings give the same plan on any number of threads; a cancelled run gives the best plan so far.
+// the lengths that the last round used, of which those of markers that were not made are estimates.
+// (4) The same problem and settings give the same plan on any number of threads; a cancelled run gives the best plan so
+// far.
 #pragma once
 
 #include <functional>

@@ -21,7 +21,7 @@ class TimeLimit {
 
   // Requests a stop when the time is up or the caller requests it.
   [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
-  // The time until it is up; none if there is no limit.
+  // The time until it is up, negative when it is; none if there is no limit.
   [[nodiscard]] std::optional<std::chrono::duration<double>> left() const;
   // True if the time was up before the caller requested a stop.
   [[nodiscard]] bool is_up() const { return up_.stop_requested(); }

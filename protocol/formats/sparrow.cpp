@@ -369,7 +369,8 @@ Json item_json(const Marker& marker, const Shape& shape, std::uint64_t id, std::
   add_attributes(item, attributes);
   item["demand"] = copies;
   if (tilting) item["tilt_limit_deg"] = shape.tilt_limit.degrees;
-  if (const Json* const form = attributes.find(jagua::kOrientation)) {
+  item.erase(jagua::kOrientation);  // any other field of that name, in a native file, could not be read again
+  if (const Json* const form = attributes.find(jagua::kOrientation); form != nullptr && form->is_object()) {
     item[jagua::kOrientation] = jagua::orientation_json(*form, shape.rotations);
   } else if (!shape.rotations.empty()) {
     item["allowed_orientations"] = jagua::angles_json(shape.rotations);

@@ -7,7 +7,7 @@
 // treated as filled) are read.
 //
 // Instances of bins (jagua/bins.h), which have no strip_height, are read as if the strip were as wide as the widest
-// bin. An item's min_quality becomes the worst class of cloth that its pieces accept.
+// bin.  An item's min_quality becomes the worst class of cloth that its pieces accept.
 //
 // Copies that an item's demand asks for and the solution does not place, which are all of them in an instance without a
 // solution, are the marker's unplaced pieces; their ids are the least numbers that no piece has.  They are written as

@@ -38,7 +38,7 @@ class OpenCall {
   [[nodiscard]] StopCause stop_cause() const;
   [[nodiscard]] bool abandoned() const { return is_abandoned(stop_cause()); }
 
-  // The time until its deadline; none if it has none.
+  // The time until its deadline, negative when that has passed; none if it has none.
   [[nodiscard]] std::optional<jobs::DeadlineClock::Duration> time_left() const { return deadline_.left(); }
 
   // The call's turn has come: from now on its deadline only stops it.  Returns false if it has been answered already.

@@ -34,7 +34,7 @@ class DeadlineClock {
       if (clock_) clock_->remove(key_);
     }
 
-    // The time until it; none when it was never set.
+    // The time until it, negative when it has passed; none when it was never set.
     [[nodiscard]] std::optional<Duration> left() const {
       return clock_ ? std::optional{key_.first - clock_->now()} : std::nullopt;
     }

@@ -144,6 +144,28 @@ class Nest(CliTest):
         self.assertEqual(ran.returncode, BAD_INPUT)
         self.assertIn("the opened file has no bins", ran.stderr)
 
+    def test_a_rectangular_bin_is_as_large_as_its_file_says(self):
+        shape = {"type": "simple_polygon", "data": [[0, 0], [20.2, 0], [20.2, 0.1], [0, 0.1]]}
+        bin_ = {"type": "rectangle", "data": {"x_min": 10.1, "y_min": 0.7, "width": 20.2, "height": 0.1}}
+        instance = {"items": [{"id": 0, "demand": 1, "allowed_orientations": [0], "shape": shape}],
+                    "bins": [{"id": 0, "stock": 0, "cost": 1, "shape": bin_}, {"id": 1, "stock": 1, "cost": 1, "shape": bin_}]}
+        ran = run("nest", self.write(instance), "--sheets", "bins", "--moves", 100, "--json")
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertEqual(json.loads(ran.stdout)["left_over"], [])
+        instance["bins"][1]["shape"] = {"type": "simple_polygon", "data": [[0, 0], [30, 0], [0, 30]]}
+        ran = run("nest", self.write({**instance, "margin": 1}), "--sheets", "bins")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("/bins/1/shape/data: is given, and the marker has a margin", ran.stderr)
+
+    def test_names_what_no_sheet_takes_not_the_sheet(self):
+        document = squares((0, 0))
+        document["pieces"][0]["rules"] = {"zone": True}
+        document["unplaced"] = []
+        document["pieces"].append({"id": "other", "shape": "square", "at": [50, 50]})
+        ran = run("nest", self.write(document), "--sheets", "90x80")
+        self.assertEqual(ran.returncode, BAD_INPUT)
+        self.assertIn("/pieces/0/rules/zone", ran.stderr)
+
     def test_refuses_sheets_that_it_cannot_read(self):
         document = squares((0, 0))
         for options in (["--sheets", "90"], ["--sheets", "90x"], ["--sheets", "90x80", "--keep-placed"],

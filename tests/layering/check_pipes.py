@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """No pipe of a script with pipefail ends in `grep -q`: it ends at the first match, and what still writes to it is killed
-by SIGPIPE, so the pipe fails now and then although there is a match.  A here-string (<<<) has no such writer.
+by SIGPIPE, so the pipe fails now and then although there is a match.  A here-string (<<<) has no such writer; assign the
+output first where the exit code of what writes it matters.
 
 usage: check_pipes.py ROOT        exit 0: none does; 1: some do, each named
        check_pipes.py --self-test
@@ -10,7 +11,9 @@ import re
 import sys
 import tempfile
 
-QUITTING = re.compile(r"[^|]\|\s*(?:\\\n\s*)?[ef]?grep\s+(?:-\w+\s+)*(?:-\w*q|--quiet)")
+QUITTING = re.compile(r"[^|]\|&?\s*(?:\\\n\s*)?(?:\w+=\S+\s+)*[ef]?grep\b[^|;\n]*?\s(?:-\w*q\w*|--quiet)(?=\s|$)",
+                      re.MULTILINE)
+COMMENT = re.compile(r"^\s*#[^\n]*", re.MULTILINE)
 
 
 def scripts(root):
@@ -21,7 +24,7 @@ def scripts(root):
 
 def faults(root):
     for script in scripts(root):
-        text = script.read_text(encoding="utf-8")
+        text = COMMENT.sub("", script.read_text(encoding="utf-8"))
         if "pipefail" in text:
             for match in QUITTING.finditer(text):
                 line = text.count("\n", 0, match.start() + 1) + 1
@@ -31,10 +34,12 @@ def faults(root):
 def self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        (root / "dev").write_text("set -euo pipefail\nls | grep -qx a\nls ||\n  grep -q a b\nls | grep a\nls | \\\n  grep -E -q b\n")
+        (root / "dev").write_text("set -euo pipefail\nls | grep -qx a\nls ||\n  grep -q a b\nls | grep a\nls | \\\n  grep -E -q b\n"
+                                  "# ls | grep -q a\nls |& LC_ALL=C grep a -q\nls | grep --fixed-strings --quiet a\n"
+                                  "ls | grep a; grep -q a b\n")
         (root / "a.sh").write_text("ls | grep -q a\n")
         found = list(faults(root))
-    assert found == ["dev:2: a pipe ends in grep -q", "dev:6: a pipe ends in grep -q"], found
+    assert found == [f"dev:{line}: a pipe ends in grep -q" for line in (2, 6, 9, 10)], found
 
 
 def main():

@@ -28,7 +28,8 @@ project both 'find_package(Selvage 0.1 REQUIRED COMPONENTS core client)' \
   "add_executable(compact $source/examples/cpp/compact.cpp)" 'target_link_libraries(compact PRIVATE Selvage::client)' \
   'set_target_properties(shorten compact PROPERTIES EXPORT_COMPILE_COMMANDS ON)' || fail "$(< "$folder/both/log")"
 cmake --build "$folder/both/build" > "$folder/both/log" 2>&1 || fail "$(< "$folder/both/log")"
-grep -q valid <<< "$("$folder/both/build/shorten")" || fail "the installed core does not compact"
+shortened=$("$folder/both/build/shorten") || fail "the installed core"
+grep -q ', valid' <<< "$shortened" || fail "the installed core does not compact: $shortened"
 ! grep -qE -- '-Werror|-Wconversion|-ffp-contract' "$folder/both/build/compile_commands.json" ||
   fail "our compile options reach other projects"
 
@@ -42,7 +43,8 @@ export PKG_CONFIG_PATH=$folder/usr/lib/pkgconfig
 # shellcheck disable=SC2046
 c++ -std=c++20 "$source/examples/core/shorten.cpp" -o "$folder/shorten" $(pkg-config --cflags --libs selvage) ||
   fail "pkg-config"
-grep -q valid <<< "$("$folder/shorten")" || fail "the program linked by pkg-config does not compact"
+shortened=$("$folder/shorten") || fail "the program linked by pkg-config"
+grep -q ', valid' <<< "$shortened" || fail "the program linked by pkg-config does not compact: $shortened"
 
 # As a part of another project: the libraries alone, without tests, programs or our warnings.
 project part "add_subdirectory($source selvage EXCLUDE_FROM_ALL)" \

@@ -27,10 +27,12 @@ inside apt-get update -q > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
 inside sh -c 'apt-get install -yq --no-install-recommends /tmp/selvage_*.deb' > "$folder/log" 2>&1 || fail "$(tail -n 30 "$folder/log")"
 cp examples/markers/jeans_02g.json "$root/tmp"
 inside selvage compact /tmp/jeans_02g.json -o /tmp/out.json > "$folder/log" 2>&1 || fail "$(< "$folder/log")"
-grep -q 'valid$' <<< "$(inside selvage check /tmp/out.json)" || fail "the installed command's marker"
+checked=$(inside selvage check /tmp/out.json) || fail "the installed command's check"
+grep -q ': valid$' <<< "$checked" || fail "the installed command's marker"
+files=$(inside dpkg -L selvage)
 for file in usr/share/man/man1/selvage.1.gz usr/share/bash-completion/completions/selvage; do
   # minbase leaves documentation out if dpkg is configured so
-  grep -qx "/$file" <<< "$(inside dpkg -L selvage)" || fail "$file is not in the package"
+  grep -qx "/$file" <<< "$files" || fail "$file is not in the package"
 done
 
 # The daemon, as its unit would start it.

@@ -39,7 +39,7 @@ for file in bin/selvaged bin/selvage libexec/selvage/healthcheck.sh lib/systemd/
   [[ -f $folder/usr/$file ]] || fail "$file was not installed"
 done
 selvaged=$folder/usr/bin/selvaged
-grep -q '^selvaged [0-9]' <<< "$("$selvaged" --version)" || fail "--version"
+[[ $("$selvaged" --version) == 'selvaged '[0-9]* ]] || fail "--version"
 
 # Every library it links comes with the packages that the image installs.
 mapfile -t packages < <(grep -v '^#' "$source/packaging/packages-run.txt")

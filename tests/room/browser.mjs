@@ -169,8 +169,11 @@ export class Page {
       await this.until(`!!${find} && !${find}.disabled && ${find}.getClientRects().length > 0`, selector);
       const [x, y] = await this.ask(`(() => {
         const e = ${find};
+        // The page may replace the element before the click comes: whatever then has the selector is clicked as well.
+        document.removeEventListener("click", window.noteClick, { capture: true });
         window.clickArrived = false;
-        e.addEventListener("click", () => { window.clickArrived = true; }, { capture: true, once: true });
+        window.noteClick = (event) => { window.clickArrived ||= event.composedPath().some((node) => node.matches?.(${JSON.stringify(selector)})); };
+        document.addEventListener("click", window.noteClick, { capture: true });
         e.scrollIntoView({ block: "nearest" });
         const r = e.getBoundingClientRect();
         return [r.x + r.width / 2, r.y + r.height / 2];

@@ -127,7 +127,7 @@ class Filler {
     }
   }
 
-  // The area that pieces can cover without that of the pieces that lie.
+  // The area that pieces may cover, less that of the pieces that lie.
   [[nodiscard]] double room_besides(const std::vector<bool>& lies) const {
     double room = (static_cast<double>(last_) / set_.lattice_units - set_.left) * set_.across();
     if (settings_.room) room = std::min(room, *settings_.room / (set_.lattice_units * set_.lattice_units));

@@ -27,10 +27,6 @@ double pixel_of(const layout::PieceSet& set, double pixels_per_side) {
   return std::max(mean / pixels_per_side, std::max(largest, set.high - set.low) / kMostAcross);
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double kFarAway = 1e9;          // beyond the end of any layout; model units
 constexpr std::size_t kMapsToFields = 8;  // the memory for maps, divided by that for fields
 

@@ -39,13 +39,15 @@ Indices without(const Indices& pieces, Indices others) {
 
 class Driver {
  public:
+  // `run` is stopped when the time is used up, too; `caller`, the same without that, only by the caller.
   Driver(const Marker& marker, std::vector<Piece> pieces, std::vector<ReadySheet> sheets, const SheetSettings& settings,
-         const scene::Run& run)
+         const scene::Run& run, const scene::Run& caller)
       : marker_{marker},
         pieces_{std::move(pieces)},
         sheets_{std::move(sheets)},
         settings_{settings},
         run_{run},
+        caller_{caller},
         dice_{settings.seed},
         worth_{worth_of(marker, pieces_, settings.values)},
         used_of_(sheets_.size()) {
@@ -64,12 +66,12 @@ class Driver {
     if (!used_.empty()) exchange_for_smaller(used_.size() - 1);
     keep_if_best();
     std::size_t failures = 0;
-    while (!over() && failures < kFailures && (may_gain() || has_room_left())) {
-      const bool gained = left_.empty() ? empty_the_emptiest() : may_gain() ? bring_on() : lay_one_after_another();
+    while (!over() && failures < kFailures && (may_gain() || may_lay())) {
+      const bool gained = left_.empty() ? empty_the_emptiest() : lay_on_free_sheets() || (may_gain() && bring_on());
       failures = gained ? 0 : failures + 1;
       keep_if_best();
     }
-    const bool converged = failures >= kFailures || (!may_gain() && !has_room_left());
+    const bool converged = failures >= kFailures || (!may_gain() && !may_lay());
     used_ = std::move(best_used_);
     left_ = std::move(best_left_);
     return result(converged);
@@ -112,11 +114,21 @@ class Driver {
     return chosen;
   }
 
+  // Pieces that have found no room on the free sheets are not tried there again.
+  bool lay_on_free_sheets() {
+    Indices wanted = left_;
+    std::sort(wanted.begin(), wanted.end());
+    if (!may_lay() || wanted == in_vain_) return false;
+    if (lay_one_after_another()) return true;
+    in_vain_ = std::move(wanted);
+    return false;
+  }
+
   // Lays pieces that are left over on sheets that are not used; false when none of them finds room.
   bool lay_one_after_another() {
     const std::size_t before = used_.size();
     for (const std::size_t kind : by_size_) {
-      while (used_of_[kind] < sheets_[kind].sheet->count && !left_.empty()) {
+      while (used_of_[kind] < sheets_[kind].sheet->count && !left_.empty() && !caller_.stopped()) {
         const double now = spent();
         const double sheets = std::max(1.0, std::ceil(area_of_all(left_) / (kUsual * sheets_[kind].area)));
         const double until = now + std::max(0.0, kFirstPass - now) / sheets;
@@ -172,8 +184,9 @@ class Driver {
     return used_.size() > needed;
   }
   [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const { return sheets_[kind].fits[piece]; }
-  // Whether a piece that is left over fits a sheet that is not used: its filling ended early.
-  [[nodiscard]] bool has_room_left() const {
+  // Whether a piece that is left over fits a sheet that is not used: it was taken off another one, or a filling ended
+  // early.
+  [[nodiscard]] bool may_lay() const {
     return std::any_of(by_size_.begin(), by_size_.end(), [this](std::size_t kind) {
       return used_of_[kind] < sheets_[kind].sheet->count &&
              std::any_of(left_.begin(), left_.end(), [&](std::size_t piece) { return fits(piece, kind); });
@@ -242,7 +255,7 @@ class Driver {
     nesting.reason = converged ? scene::StopReason::kConverged : scene::StopReason::kWorkLimit;
     nesting.out_of_time = !converged && settings_.elapsed && settings_.elapsed() >= 1;
     for (const UsedSheet& used : used_) {
-      SheetLayout layout{used.kind, sheets_[used.kind].bare};
+      SheetLayout layout{used.kind, sheets_[used.kind].area, sheets_[used.kind].bare};
       layout.marker.pieces.insert(layout.marker.pieces.end(), used.placed.begin(), used.placed.end());
       nesting.layouts.push_back(std::move(layout));
     }
@@ -259,11 +272,13 @@ class Driver {
   std::vector<ReadySheet> sheets_;
   const SheetSettings& settings_;
   const scene::Run& run_;
+  const scene::Run& caller_;
   layout::Dice dice_;
   Worth worth_;
   Indices used_of_;  // how many sheets of each kind are used
   Indices by_size_;  // kinds, the largest first
   Indices left_;     // pieces that lie on no sheet
+  Indices in_vain_;  // ascending; those that were last tried on the free sheets, without success
   std::vector<UsedSheet> used_, best_used_;
   Indices best_left_;
   double best_left_value_{std::numeric_limits<double>::infinity()};
@@ -283,6 +298,7 @@ Result<SheetNesting> nest_pieces_on_sheets(const Marker& start, std::span<const 
   pieces.insert(pieces.end(), start.unplaced.begin(), start.unplaced.end());
   std::vector<ReadySheet> kinds;
   for (const Sheet& sheet : sheets) {
+    if (run.stopped()) break;  // the others are not used
     auto made = ready(start, pieces, sheet, run.sums);
     if (!made) {
       Error error = made.error();
@@ -292,7 +308,7 @@ Result<SheetNesting> nest_pieces_on_sheets(const Marker& start, std::span<const 
     kinds.push_back(*std::move(made));
   }
   const TimedRun timed{run, settings.elapsed};
-  SheetNesting nesting = Driver{start, std::move(pieces), std::move(kinds), settings, timed.run()}.nested();
+  SheetNesting nesting = Driver{start, std::move(pieces), std::move(kinds), settings, timed.run(), run}.nested();
   if (run.stopped()) nesting.reason = scene::StopReason::kCancelled;
   return nesting;
 }

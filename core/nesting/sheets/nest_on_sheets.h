@@ -42,6 +42,7 @@ struct SheetSettings {
 // bounding box of its outline, and the positions count from the low corner of that.
 struct SheetLayout {
   std::size_t sheet{};  // index of its kind
+  double area{};        // what pieces can cover (area_of); square lattice units
   Marker marker;
 };
 
@@ -56,8 +57,7 @@ struct SheetNesting {
 
 // All pieces of the marker are laid, including the placed ones, wherever they lie.
 // Errors: kEmptyMarker when it has no piece; kOutOfRange for a piece that is locked in place, belongs to a group or is
-// a zone of the marker's own cloth (`field` points into the marker), and for a sheet that `bare` refuses (below
-// "/sheets").
+// a zone of the marker's own cloth (`field` points into the marker); those of `bare` (below "/sheets/K").
 [[nodiscard]] Result<SheetNesting> nest_on_sheets(const Marker& start, std::span<const Sheet> sheets,
                                                   const SheetSettings& settings, const scene::Run& run);
 

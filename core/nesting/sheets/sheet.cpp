@@ -76,9 +76,11 @@ Result<Marker> bare(const Marker& marker, const Sheet& sheet) {
     return Error{ErrorCode::kOutOfRange, "the sheet has no room between its margins", ""};
   }
   if (sheet.outline && room != Box{{0, 0}, {sheet.length, sheet.width}}) {
-    return Error{ErrorCode::kOutOfRange,
-                 "is given, and the marker has a margin; sheets with an outline are allowed for markers without one",
-                 "/outline"};
+    return Error{
+        ErrorCode::kOutOfRange,
+        "is given, and the marker has a margin or selvedges; sheets with an outline are allowed for markers without "
+        "them",
+        "/outline"};
   }
   if (sheet.outline && sheet.outline->size() > Container::kMostCorners) {
     return Error{ErrorCode::kTooManyVertices,

@@ -36,8 +36,8 @@ struct Sheet {
 [[nodiscard]] double area_of(const Sheet& sheet);
 
 // The marker without its pieces, on the sheet: its only pieces are the zones.
-// Errors: kOutOfRange for a sheet without an area, and for one with an outline where the marker has a margin;
-// kTooManyVertices for an outline.  `field` is a JSON pointer into the sheet.
+// Errors: kOutOfRange for a sheet without an area, and for one with an outline where the marker has a margin or
+// selvedges; kTooManyVertices for an outline.  `field` is a JSON pointer into the sheet.
 [[nodiscard]] Result<Marker> bare(const Marker& marker, const Sheet& sheet);
 
 }  // namespace selvage::nesting::sheets

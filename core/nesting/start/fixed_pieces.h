@@ -14,7 +14,8 @@ namespace selvage::nesting::start {
 [[nodiscard]] Marker with_pieces_taken_off(const Marker& given, const layout::PieceSet& set);
 
 // Pieces that no search may move must lie validly.  `fixed`: at least for every placed piece, whether it is one of
-// them. Errors: kMarkerOverlaps and kOutsideStrip when they do not; `field` is a JSON pointer into the marker.
+// them.
+// Errors: kMarkerOverlaps and kOutsideStrip when they do not; `field` is a JSON pointer into the marker.
 [[nodiscard]] std::optional<Error> defect_of_fixed(const Marker& start, const std::vector<bool>& fixed);
 
 // By placed piece, whether it stays where it is at first: all pieces do when they lie validly, otherwise the fixed

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,21 +26,27 @@ void add_edges(const Polygon& polygon, std::size_t number, std::vector<Edge>& ed
   }
 }
 
-// The abscissas of all corners, and of the crossings of edges of different polygons; ascending.
+constexpr std::size_t kMostPairs = 30'000'000, kMostCrossings = 20'000;
+
+// The abscissas of all corners, and of the crossings of edges of different polygons; ascending.  Nothing when there are
+// too many pairs of edges above each other, or too many crossings.
 // REQUIRES: the edges are sorted by x1.
-std::vector<double> abscissas(const std::vector<Edge>& edges) {
+std::optional<std::vector<double>> abscissas(const std::vector<Edge>& edges) {
   std::vector<double> all;
+  std::size_t pairs = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge& e = edges[i];
     all.push_back(e.x1);
     all.push_back(e.x2);
     for (std::size_t j = i + 1; j < edges.size() && edges[j].x1 < e.x2; ++j) {
       const Edge& f = edges[j];
+      if (++pairs > kMostPairs) return std::nullopt;
       if (e.polygon == f.polygon) continue;
       const double from = f.x1, to = std::min(e.x2, f.x2);
       const double before = e.at(from) - f.at(from), after = e.at(to) - f.at(to);
       if ((before < 0) != (after < 0)) all.push_back(from + (to - from) * before / (before - after));
     }
+    if (all.size() > kMostCrossings + 2 * edges.size()) return std::nullopt;
   }
   std::sort(all.begin(), all.end());
   return all;
@@ -80,17 +87,19 @@ class Line {
 }  // namespace
 
 double free_area(const Polygon& region, std::span<const Polygon> holes) {
-  if (holes.empty()) return static_cast<double>(doubled_area(region)) / 2;
+  const double whole = static_cast<double>(doubled_area(region)) / 2;
+  if (holes.empty()) return whole;
   std::vector<Edge> edges;
   add_edges(region, 0, edges);
   for (std::size_t k = 0; k < holes.size(); ++k) add_edges(holes[k], k + 1, edges);
   std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.x1 < b.x1; });
-  const std::vector<double> all = abscissas(edges);
+  const auto all = abscissas(edges);
+  if (!all) return whole;
   Line line{edges, holes.size() + 1};
   double area = 0;
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const double width = all[k] - all[k - 1];
-    if (width > 0) area += width * line.free_length((all[k] + all[k - 1]) / 2);
+  for (std::size_t k = 1; k < all->size(); ++k) {
+    const double from = (*all)[k - 1], to = (*all)[k];
+    if (from < to) area += (to - from) * line.free_length((from + to) / 2);
   }
   return area;
 }

@@ -2,8 +2,9 @@
 // drawn one by one.
 //
 // A vertical line sweeps over the edges.  Between two neighbouring abscissas of corners and crossings, the length of
-// its free part is linear in x, so the length half-way times their distance is the area.  In floating point: for
-// figures and estimates, not for proofs. Units: square lattice units.
+// its free part is linear in x, so the length half-way times their distance is the area.  It is in floating point: for
+// figures and estimates, not for proofs.
+// Units: square lattice units.
 #pragma once
 
 #include <span>
@@ -13,6 +14,7 @@
 namespace selvage::outline::enclosed {
 
 // REQUIRES: simple polygons, as clean_polygon returns them.
+// With so many edges above each other, or so many crossings, that it would take seconds, the area of the region alone.
 [[nodiscard]] double free_area(const Polygon& region, std::span<const Polygon> holes);
 
 }  // namespace selvage::outline::enclosed

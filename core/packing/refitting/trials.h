@@ -32,7 +32,7 @@ struct TrialCounts {
 
 // Runs trials from `best.marker` until there were `most`, or `fruitless` in a row that gained nothing, or it is
 // stopped.  A marker that is no longer than the present one becomes the present one, and `best` is the shortest of
-// them. Sets the reason of `best`.  Every trial is a round.
+// them.  Every trial is a round.  Sets the reason of `best`.
 [[nodiscard]] TrialCounts run_trials(motion::repair::MotionResult& best, std::uint64_t most, std::uint64_t fruitless,
                                      const Trial& trial, const OnPresent& on_present, const scene::Run& run);
 

@@ -19,8 +19,8 @@ struct Lengths {
   double beyond{};                        // by how much an estimate may exceed the table, because it may be wrong
 };
 
-// The marker of this ratio, when it may be cut: it is known to fit the table, or its estimate does, or nearly.  Single
-// bundles that were not made always may, so that every order can be delivered.
+// The marker of this ratio, when it may be cut: it is known to fit the table, or its estimate exceeds the table by at
+// most `beyond`.  Single bundles that were not made always may, so that every order can be delivered.
 [[nodiscard]] std::optional<Candidate> candidate_of(const orders::Problem& problem, const Lengths& lengths,
                                                     const orders::Ratio& ratio);
 

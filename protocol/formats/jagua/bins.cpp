@@ -35,16 +35,17 @@ BinPolygon read_polygon(const Json& corners, const std::string& at, json::Mistak
 
 struct BinShape {
   BinPolygon outline;
-  bool rectangle{};
+  std::optional<document::Spot> rectangle{};
   std::vector<BinPolygon> holes;
 };
 
 BinShape read_rectangle(const Json& value, const std::string& at, json::Mistake& mistake) {
   json::Fields fields{value, at, mistake};
   const double x = fields.number("x_min", kNumbers), y = fields.number("y_min", kNumbers);
-  const double right = x + fields.number("width", {0, kNumbers.most});
-  const double top = y + fields.number("height", {0, kNumbers.most});
-  return {.outline = {{{x, y}, {right, y}, {right, top}, {x, top}}, at}, .rectangle = true, .holes = {}};
+  const double width = fields.number("width", {0, kNumbers.most}), height = fields.number("height", {0, kNumbers.most});
+  return {.outline = {{{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}}, at},
+          .rectangle = document::Spot{width, height},
+          .holes = {}};
 }
 
 BinShape read_shape(const Json& value, const std::string& at, json::Mistake& mistake) {
@@ -52,7 +53,7 @@ BinShape read_shape(const Json& value, const std::string& at, json::Mistake& mis
   const std::string type = fields.text("type");
   const std::string part = fields.pointer("data");
   if (type == "rectangle") return read_rectangle(fields.object("data"), part, mistake);
-  if (type == "simple_polygon") return {read_polygon(fields.array("data"), part, mistake), false, {}};
+  if (type == "simple_polygon") return {read_polygon(fields.array("data"), part, mistake), std::nullopt, {}};
   if (type != "polygon") {
     mistake.add(ErrorCode::kOutOfRange,
                 json::shortened(Json(type)) + " is not read; one of rectangle, simple_polygon, polygon is allowed",
@@ -60,7 +61,7 @@ BinShape read_shape(const Json& value, const std::string& at, json::Mistake& mis
     return {};
   }
   json::Fields polygon{fields.object("data"), part, mistake};
-  BinShape shape{read_polygon(polygon.array("outer"), polygon.pointer("outer"), mistake), false, {}};
+  BinShape shape{read_polygon(polygon.array("outer"), polygon.pointer("outer"), mistake), std::nullopt, {}};
   if (const Json* inner = polygon.maybe_array("inner")) {
     for (std::size_t k = 0; k < inner->size() && !mistake; ++k) {
       shape.holes.push_back(read_polygon((*inner)[k], polygon.pointer("inner") + "/" + std::to_string(k), mistake));

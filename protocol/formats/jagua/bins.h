@@ -35,9 +35,9 @@ struct BinZone {
 struct Bin {
   std::string field;  // a JSON pointer to it in the instance
   BinPolygon outline;
-  bool rectangle{};
-  std::vector<BinZone> zones;  // those of the best quality are left out
-  std::size_t count{};         // of its stock
+  std::optional<document::Spot> rectangle{};  // its size, if it is one
+  std::vector<BinZone> zones;                 // those of the best quality are left out
+  std::size_t count{};                        // of its stock
 };
 
 // The bins of the field "bins".  Bins of which none is in stock are left out.

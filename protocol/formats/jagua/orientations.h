@@ -16,8 +16,8 @@ inline constexpr const char* kOrientation = "orientation";
 inline constexpr int kMostSteps = 3'600;
 
 // Reads the fields of an item; empty: any rotation is allowed.
-// Mistakes: kOutOfRange for both forms together, for angles beyond a turn, and for a step that is no part of a turn or
-// that makes more than kMostSteps rotations.
+// Mistakes: kMissingField and kWrongType; kOutOfRange for both forms together, for angles beyond a turn, and for a step
+// that is no part of a turn or that makes more than kMostSteps rotations.
 [[nodiscard]] std::vector<Angle> read_orientations(json::Fields& item, json::Mistake& mistake);
 // Whether the item permits reflections.
 [[nodiscard]] bool permits_reflections(const Json& item);

@@ -46,7 +46,7 @@ struct NestBudget {
 // Errors: kOutOfRange when an accuracy and seconds are given.
 [[nodiscard]] Result<NestBudget> budget_of(const NestEffort& effort);
 
-// Why a nesting ended: when the time of its budget did it, that was the deadline, as for motions that have no budget.
+// Why a nesting ended: kDeadline when the time of its budget ran out, as when a deadline ends a motion.
 [[nodiscard]] calls::StopCause cause_of_end(scene::StopReason reason, bool out_of_time,
                                             const calls::MethodContext& context);
 

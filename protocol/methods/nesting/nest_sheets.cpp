@@ -66,18 +66,21 @@ struct NestSheetsResult {
   }
 };
 
-double utilisation_on(const selvage::nesting::sheets::Sheet& sheet, const Marker& marker) {
+double utilisation_of(const selvage::nesting::sheets::SheetLayout& layout) {
+  const Marker& marker = layout.marker;
   double area = 0;
   for (const Piece& piece : marker.pieces) {
     const Shape& shape = marker.shapes[piece.shape.value];
     if (!piece.rules.zone) area += static_cast<double>(doubled_area(shape.outline)) / 2;
   }
-  return area / area_of(sheet);
+  return area / layout.area;
 }
 
-// The marker as a file; its zones and their shapes have no further fields.
+// The marker as a file; its zones and their shapes have no further fields.  The bins of the instance are left out: it
+// is one of them.
 MarkerFile with_sheet(const MarkerFile& file, Marker marker) {
   MarkerFile known{.marker = {}, .format = file.format, .notes = {}, .attributes = file.attributes};
+  known.attributes.whole.erase("bins");
   known.marker.pieces = file.marker.pieces;
   known.marker.unplaced = file.marker.unplaced;
   for (const Piece& piece : marker.pieces) {
@@ -95,7 +98,8 @@ std::optional<Error> unreadable(const MarkerFile& file, const GivenSheet& given)
   if (!marker) return std::nullopt;  // which the search says
   const auto& pieces = file.marker.unplaced.empty() ? file.marker.pieces : file.marker.unplaced;
   if (pieces.empty()) return std::nullopt;
-  marker->unplaced = {pieces.front()};
+  const Piece& any = pieces.front();  // without its rules, which only this sheet may not keep
+  marker->unplaced = {{.id = any.id, .shape = any.shape, .orientation = any.orientation, .at = {}}};
   const auto document = files::marker_document(with_sheet(file, *std::move(marker)), files::FileFormat::kNative);
   if (!document) return document.error();
   const auto read = formats::read_document(*document);
@@ -130,7 +134,7 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
   for (selvage::nesting::sheets::SheetLayout& layout : done->layouts) {
     NestedSheet nested{.sheet = layout.sheet,
                        .pieces = piece_count(layout.marker),
-                       .utilisation = utilisation_on(sheets[layout.sheet], layout.marker),
+                       .utilisation = utilisation_of(layout),
                        .marker = {}};
     auto document = files::marker_document(with_sheet(file, std::move(layout.marker)), files::FileFormat::kNative);
     if (!document) return document.error();

@@ -43,6 +43,7 @@ Result<Polygon> polygon_of(const std::vector<calls::Point>& given, Resolution re
   }
   auto clean = geometry::clean_polygon(corners);
   if (clean) return std::move(clean->polygon);
+  if (clean.error().code == ErrorCode::kTooManyVertices) return Error{clean.error().code, clean.error().message, field};
   return Error{ErrorCode::kOutOfRange, "is not a simple polygon: " + clean.error().message, field};
 }
 
@@ -101,11 +102,11 @@ Result<Polygon> polygon_of(const formats::jagua::BinPolygon& given, Resolution r
   return polygon_of(corners, resolution, given.field);
 }
 
+// REQUIRES: it is a rectangle.
 Result<Sheet> rectangle_of(const Bin& bin, Resolution resolution) {
-  const document::Spot low = bin.outline.corners[0], high = bin.outline.corners[2];
   SheetParams params;
-  params.width = high.y - low.y;
-  params.length = high.x - low.x;
+  params.width = bin.rectangle->y;
+  params.length = bin.rectangle->x;
   return rectangle_of(params, resolution, bin.outline.field);
 }
 

@@ -83,7 +83,8 @@ struct GivenSheet {
 };
 
 // The sheets of the parameter or, without it, the bins of the file's instance (protocol/formats/jagua/bins.h).
-// Errors: kMissingField when there are neither; kOutOfRange for what is no sheet, and for too many bins.
+// Errors: kMissingField when there are neither, and for half of a rectangle; kTooManyVertices; kOutOfRange for what is
+// no sheet, and for too many bins; those of read_bins.
 [[nodiscard]] Result<std::vector<GivenSheet>> sheets_of(const std::optional<std::vector<SheetParams>>& params,
                                                         const MarkerFile& file);
 

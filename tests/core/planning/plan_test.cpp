@@ -108,8 +108,8 @@ TEST(Plan, AvoidsMarkersThatTurnOutTooLongOrCannotBeMade) {
   }
 }
 
-// An order for which one lay of a marker of all three sizes is by far the cheapest, and a table on which that marker
-// fits if it is as long as `part` of its estimate, which is 1 % too long.
+// An order for which one lay of a marker of all three sizes is by far the cheapest.  The estimate of that marker
+// exceeds the table by 1 %; its real length is `part` of the estimate, so it fits if `part` is at most 0.99.
 struct BarelyTooLong {
   explicit BarelyTooLong(double part) : part_{part} {
     problem.order.garments = {{5, 5, 5}, {5, 5, 5}};

@@ -49,7 +49,8 @@ std::string arguments_of(const Method& method) {
   std::string params = "{'deadlineMs':60000";
   for (const protocol::schema::FieldDescription& field : method.params()) {
     const bool needed_here = (method.name == "motion.contain" && field.name == "pieces") ||
-                             (method.name == "motion.openGap" && field.name == "point") || field.name == "stored";
+                             (method.name == "motion.openGap" && field.name == "point") ||
+                             (method.name == "marker.nestSheets" && field.name == "sheets") || field.name == "stored";
     if (!field.required && !needed_here) continue;
     const auto value = kArguments.find(field.name);
     if (field.name == "stored") {

@@ -302,7 +302,7 @@ export interface ReadingMethods {
       revision: number;
       /** The sheets that are used. */
       sheets: Array<NestedSheet>;
-      /** Ids of the pieces for which there is no room. */
+      /** Ids of the pieces for which no room was found. */
       leftOver: Array<string>;
       /** Number of moves of a piece in the search. */
       moves: number;

@@ -255,6 +255,16 @@ TEST(Sheets, WithZonesHavePiecesEvenWithoutABudget) {
   for (const SheetLayout& layout : nesting.layouts) EXPECT_TRUE(is_valid(layout.marker));
 }
 
+TEST(Sheets, PiecesThatMakeRoomForAnotherGoToFreeSheets) {
+  // The large piece fits only the large sheet, where two smaller ones lie that fit the others as well.  It is worth
+  // more than these two together once area counts to a power above 1.
+  Marker marker = unplaced_pieces({rectangle(950'000, 100'000), rectangle(480'000, 90'000)}, 3, kWidth);
+  marker.unplaced[2].shape = marker.unplaced[1].shape;
+  const SheetNesting nesting = laid(marker, {plain_sheet(100'000, 1'000'000), plain_sheet(90'000, 480'000, 2)}, 2'000);
+  EXPECT_TRUE(nesting.left_over.empty());
+  EXPECT_EQ(nesting.layouts.size(), 3u);
+}
+
 TEST(Sheets, PiecesThatFitNoSheetDoNotHideThoseThatDo) {
   // Every second piece is too long, and more pieces are left over than are offered at once.
   const Marker marker = unplaced_pieces({rectangle(600'000, 10'000), rectangle(10'000, 10'000)}, 1'600, kWidth);

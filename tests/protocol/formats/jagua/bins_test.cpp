@@ -34,11 +34,11 @@ TEST(Bins, AreReadWithHolesZonesAndStock) {
   ASSERT_TRUE(bins);
   ASSERT_EQ(bins->size(), 2u);  // one is out of stock
   const jagua::Bin& rectangle = bins->front();
-  EXPECT_TRUE(rectangle.rectangle);
+  EXPECT_EQ(rectangle.rectangle, (document::Spot{30, 20}));
   EXPECT_EQ(rectangle.count, 3u);
   EXPECT_EQ(rectangle.outline.corners, (std::vector<document::Spot>{{5, -2}, {35, -2}, {35, 18}, {5, 18}}));
   const jagua::Bin& hide = bins->back();
-  EXPECT_FALSE(hide.rectangle);
+  EXPECT_EQ(hide.rectangle, std::nullopt);
   EXPECT_EQ(hide.count, 1'000u);
   EXPECT_EQ(hide.outline.field, "/bins/2/shape/data/outer");
   ASSERT_EQ(hide.zones.size(), 3u);

@@ -53,6 +53,19 @@ TEST(Orientations, AreWrittenInTheFormInWhichTheyWereRead) {
   }
 }
 
+TEST(Orientations, OtherFieldsOfThatNameAreNotWritten) {
+  for (const char* const other : {"7", R"("face up")"}) {
+    const auto read = read_document(instance(R"({"rotation": {"mode": "continuous"}})"));
+    ASSERT_TRUE(read);
+    MarkerFile file = *read;
+    file.attributes.shapes[0]["orientation"] = Json::parse(other);
+    const auto written = marker_document(file, Format::kSparrow);
+    ASSERT_TRUE(written);
+    EXPECT_FALSE((*written)["items"][0].contains("orientation"));
+    EXPECT_TRUE(read_document(*written));
+  }
+}
+
 TEST(Orientations, MistakesAreNamedWithTheirField) {
   for (const auto& [form, field] : std::vector<std::pair<const char*, const char*>>{
            {"7", "/items/0/orientation"},
