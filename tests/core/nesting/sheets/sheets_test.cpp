@@ -255,14 +255,27 @@ TEST(Sheets, WithZonesHavePiecesEvenWithoutABudget) {
   for (const SheetLayout& layout : nesting.layouts) EXPECT_TRUE(is_valid(layout.marker));
 }
 
-TEST(Sheets, PiecesThatMakeRoomForAnotherGoToFreeSheets) {
-  // The large piece fits only the large sheet, where two smaller ones lie that fit the others as well.  It is worth
-  // more than these two together once area counts to a power above 1.
-  Marker marker = unplaced_pieces({rectangle(950'000, 100'000), rectangle(480'000, 90'000)}, 3, kWidth);
-  marker.unplaced[2].shape = marker.unplaced[1].shape;
-  const SheetNesting nesting = laid(marker, {plain_sheet(100'000, 1'000'000), plain_sheet(90'000, 480'000, 2)}, 2'000);
-  EXPECT_TRUE(nesting.left_over.empty());
-  EXPECT_EQ(nesting.layouts.size(), 3u);
+// Pieces that were taken off one sheet to make room for another piece go to a free one.
+TEST(Sheets, WhatIsLeftOverFitsNoFreeSheet) {
+  Random random{23};
+  for (int trial = 0; trial < 20 / test::kSlowdown; ++trial) {
+    const auto side = [&] { return random.between(50'000, 500'000); };
+    std::vector<Polygon> outlines;
+    for (int k = 0; k < 6; ++k) outlines.push_back(rectangle(side(), side()));
+    const Marker marker = unplaced_pieces(outlines, 12, kWidth);
+    const std::vector<Sheet> sheets{plain_sheet(400'000, 600'000, 2), plain_sheet(250'000, 300'000, 4)};
+    const SheetNesting nesting = laid(marker, sheets, 8'000);
+    if (nesting.reason != scene::StopReason::kConverged) continue;
+    std::vector<std::size_t> used(sheets.size());
+    for (const SheetLayout& layout : nesting.layouts) ++used[layout.sheet];
+    for (std::size_t kind = 0; kind < sheets.size(); ++kind) {
+      if (used[kind] == sheets[kind].count) continue;
+      for (const Piece& piece : nesting.left_over) {
+        const Box box = box_of(marker.shapes[piece.shape.value].outline);
+        EXPECT_TRUE(box.width() > sheets[kind].length || box.height() > sheets[kind].width) << "trial " << trial;
+      }
+    }
+  }
 }
 
 TEST(Sheets, PiecesThatFitNoSheetDoNotHideThoseThatDo) {
