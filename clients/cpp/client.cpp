@@ -57,9 +57,7 @@ class Client::Own {
     add_op_id(method, params, name_ + "-" + std::to_string(id));
     return start(id, {std::string{method}, marker_of(params), request_line(id, method, params), false, {}});
   }
-  Call learn_marker(std::string marker_id) {
-    return start(next_++, {{}, std::move(marker_id), {}, false, {}, true});
-  }
+  Call learn_marker(std::string marker_id) { return start(next_++, {{}, std::move(marker_id), {}, false, {}, true}); }
   void cancel(CallId id) {
     boost::asio::post(io_, [this, id] { conversation_.cancel(id); });
   }
