@@ -128,7 +128,7 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   shape.shape.id = fields.id("id");
   shape.shape.rotations = jagua::read_orientations(fields, reading.mistake);
   if (jagua::permits_reflections(value)) {
-    reading.notes.push_back({fields.pointer(jagua::kOrientation), "pieces are not reflected"});
+    reading.notes.push_back({fields.pointer(jagua::kOrientation), "reflections are not used"});
   }
   shape.shape.tilt_limit = Angle::of_degrees(fields.number_or("tilt_limit_deg", 0, {0, 45}));
   read_outline(fields.object("shape"), fields.pointer("shape"), shape, reading);
@@ -139,7 +139,7 @@ void read_item(const Json& value, const std::string& at, Reading& reading) {
   constexpr auto kMost = static_cast<std::int64_t>(marker::kMaxPieces);
   const auto demand = fields.maybe_integer("demand", 0, kMost);
   if (!demand && !reading.solved) {
-    reading.mistake.add(ErrorCode::kMissingField, "is missing, which only an item of a solution may leave out",
+    reading.mistake.add(ErrorCode::kMissingField, "is missing; only a file with a solution may leave it out",
                         fields.pointer("demand"));
   }
   reading.demand.push_back(demand.value_or(0));
@@ -166,7 +166,7 @@ void read_solution(json::Fields& fields, Reading& reading) {
   json::Fields solution{fields.object("solution"), fields.pointer("solution"), reading.mistake};
   if (solution.has("layouts")) {
     reading.mistake.add(ErrorCode::kOutOfRange,
-                        "solutions of bin packing are not read; without its solution, the instance is",
+                        "solutions of bin packing are not read; remove the solution to nest the instance",
                         solution.pointer("layouts"));
     return;
   }

@@ -45,7 +45,7 @@ struct Bin {
 // of one bin.
 [[nodiscard]] Result<std::vector<Bin>> read_bins(const Json& bins);
 
-// The size across of the largest one, 0 when there is none.
+// The size across of the widest one; 0 when there is none.
 [[nodiscard]] double widest(const std::vector<Bin>& bins);
 
 }  // namespace selvage::protocol::formats::jagua

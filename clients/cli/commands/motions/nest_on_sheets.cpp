@@ -151,8 +151,8 @@ command_line::Option sheets_option() {
           .kind = command_line::Kind::kText,
           .meaning =
               "Nest on sheets of these sizes instead, WIDTHxLENGTH*COUNT,...; or the sheets of marker.nestSheets as "
-              "JSON; or those of a jagua-rs instance: bins.  Every sheet that is used is written to a file with its "
-              "number in the name",
+              "JSON; or the word bins for those of a jagua-rs instance.  Every sheet that is used is written to a file "
+              "with its number in the name",
           .placeholder = "SIZES"};
 }
 
