@@ -1,9 +1,11 @@
 // Nests markers from nothing with one part of the method switched off at a time, and prints a Markdown table of the
-// mean densities: what each part contributes.
+// mean densities: what each part contributes.  With --constants it halves and doubles one constant at a time instead,
+// of those that only runs with a time limit use.
 //
-// usage: ablation_table [--only TEXT] SECONDS SEEDS MARKER...
+// usage: ablation_table [--constants] [--only TEXT] SECONDS SEEDS MARKER...
 //
-// SECONDS: processor time of each run, on one thread.  The seeds are 1 to SEEDS.  Layouts in the files are not used.
+// SECONDS: processor time of each run, on one thread; runs of two searches, named so, have a thread for each, which
+// share it.  The seeds are 1 to SEEDS.  Layouts in the files are not used.
 // TEXT: only the rows whose names contain it, so that sittings add up.  nest() proves every answer; the density of
 // every run goes to the standard error.
 #include <cstdio>
@@ -18,6 +20,7 @@
 #include "bench/support/marker_file.h"
 #include "core/marker/figures.h"
 #include "core/nesting/nest.h"
+#include "protocol/execution/thread_pool.h"
 
 namespace selvage::bench {
 namespace {
@@ -47,6 +50,30 @@ std::vector<Ablation> ablations() {
   };
 }
 
+std::vector<Ablation> constants() {
+  const auto two_searches = [](double shared) {
+    return [shared](NestSettings& s) { s.searches = 2, s.tuning.shared = shared; };
+  };
+  const auto shares = [](double factor) {
+    return [factor](NestSettings& s) {
+      for (std::uint64_t* moves : {&s.tuning.least_raced_in_time, &s.tuning.most_raced_in_time})
+        *moves = static_cast<std::uint64_t>(factor * static_cast<double>(*moves));
+    };
+  };
+  return {
+      {"the usual constants", [](NestSettings&) {}},
+      {"`raced` 0.125", [](NestSettings& s) { s.tuning.raced = 0.125; }},
+      {"`raced` 0.5", [](NestSettings& s) { s.tuning.raced = 0.5; }},
+      {"`raced_in_time` 10,000 to 30,000", shares(0.5)},
+      {"`raced_in_time` 40,000 to 120,000", shares(2)},
+      {"`raced_gain` 0.0005", [](NestSettings& s) { s.tuning.raced_gain = 0.0005; }},
+      {"`raced_gain` 0.002", [](NestSettings& s) { s.tuning.raced_gain = 0.002; }},
+      {"two searches, `shared` 0.25", two_searches(0.25)},
+      {"two searches, `shared` 0.5 (usual)", two_searches(0.5)},
+      {"two searches, never shared", two_searches(1)},
+  };
+}
+
 // Per cent.
 double density(const Marker& marker, const Ablation& ablation, double seconds, std::uint64_t seed) {
   NestSettings settings;
@@ -57,7 +84,9 @@ double density(const Marker& marker, const Ablation& ablation, double seconds, s
   settings.elapsed = [=, start = processor_time()] { return (processor_time() - start) / seconds; };
   ablation.apply(settings);
   SumCache sums;
-  const auto done = nest(marker, settings, {sums});
+  const protocol::execution::ThreadPool two{1};  // and the caller's thread
+  const Executor& executor = settings.searches > 1 ? static_cast<const Executor&>(two) : serial();
+  const auto done = nest(marker, settings, {.sums = sums, .executor = &executor});
   if (!done) {
     std::fprintf(stderr, "%s\n", done.error().message.c_str());
     std::exit(EXIT_FAILURE);
@@ -66,13 +95,15 @@ double density(const Marker& marker, const Ablation& ablation, double seconds, s
 }
 
 int main_of(std::vector<std::string> arguments) {
+  const bool halved_and_doubled = !arguments.empty() && arguments[0] == "--constants";
+  if (halved_and_doubled) arguments.erase(arguments.begin());
   std::string only;
   if (arguments.size() >= 2 && arguments[0] == "--only") {
     only = arguments[1];
     arguments.erase(arguments.begin(), arguments.begin() + 2);
   }
   if (arguments.size() < 3) {
-    std::fprintf(stderr, "usage: ablation_table [--only TEXT] SECONDS SEEDS MARKER...\n");
+    std::fprintf(stderr, "usage: ablation_table [--constants] [--only TEXT] SECONDS SEEDS MARKER...\n");
     return 2;
   }
   const double seconds = std::stod(arguments[0]);
@@ -85,7 +116,7 @@ int main_of(std::vector<std::string> arguments) {
     rule += "---|";
   }
   std::printf("\n%s\n", rule.c_str());
-  for (const Ablation& ablation : ablations()) {
+  for (const Ablation& ablation : halved_and_doubled ? constants() : ablations()) {
     if (ablation.name.find(only) == std::string::npos) continue;
     std::printf("| %s |", ablation.name.c_str());
     for (const std::string& file : files) {

@@ -52,8 +52,13 @@ std::vector<convolution::StarSum> star_sums(std::span<const outline::StarPart> f
   for (std::size_t i = 0; i < first.size(); ++i) {
     for (std::size_t j = 0; j < second.size(); ++j) {
       if (stopped && stopped()) return {};
-      rings.push_back(p.convex[i] && q.convex[j] ? convolution::convex_sum(first[i], second[j])
-                                                 : convolution::star_sum({first[i], of_p[i]}, {second[j], of_q[j]}));
+      if (p.convex[i] && q.convex[j]) {
+        rings.push_back(convolution::convex_sum(first[i], second[j]));
+        continue;
+      }
+      auto ring = convolution::star_sum({first[i], of_p[i]}, {second[j], of_q[j]}, stopped);
+      if (!ring) return {};
+      rings.push_back(*std::move(ring));
     }
   }
   return rings;

@@ -56,7 +56,8 @@ class MinkowskiSum {
                                          std::span<const outline::StarPart> second);
 // P (+) -(Q under `relative`): two pieces overlap exactly when the position of Q relative to P lies in its interior.
 [[nodiscard]] MinkowskiSum obstacle_sum(const outline::Outline& p, const outline::Outline& q, Symmetry relative);
-// The same; nothing when `stopped`, which is asked once for each pair of parts and for each ring.
+// The same; nothing when `stopped`, which is asked for each pair of parts, within it as star_sum does, and for each
+// ring.
 [[nodiscard]] std::optional<MinkowskiSum> obstacle_sum(const outline::Outline& p, const outline::Outline& q,
                                                        Symmetry relative, const std::function<bool()>& stopped);
 

@@ -125,6 +125,19 @@ class Nest(CliTest):
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertIn("marker: 1 sheet\n  sheet 1      kind 1, 1 pieces", ran.stdout)
 
+    def test_a_sheet_may_lie_far_from_the_origin(self):
+        document = squares()
+        document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
+        laid = []
+        for far in (0, 1e9):
+            hide = [{"outline": [[far, far], [far + 100, far], [far + 50, far + 100]],
+                     "holes": [[[far + 10, far], [far + 20, far], [far + 15, far + 5]]]}]
+            ran = run("nest", self.write(document), "--moves", 200, "--sheets", json.dumps(hide),
+                      "-o", self.path("laid.json"))
+            self.assertEqual(ran.returncode, OK, ran.stderr)
+            laid.append(self.path("laid-1.json").read_text())
+        self.assertEqual(laid[0], laid[1])
+
     def test_nests_on_the_bins_of_an_instance(self):
         ran = run("nest", HIDES / "bags.json", "--sheets", "bins", "--moves", 3000, "-o", self.path("laid.json"), "--json")
         self.assertEqual(ran.returncode, OK, ran.stderr)

@@ -200,12 +200,14 @@ class Merge {
 
 }  // namespace
 
-std::vector<Stretch> polar_envelope(std::span<const Candidate> candidates) {
+std::optional<std::vector<Stretch>> polar_envelope(std::span<const Candidate> candidates,
+                                                   const std::function<bool()>& stopped) {
   Runs runs = runs_of(candidates);
   Runs merged;
   merged.stretches.reserve(runs.stretches.size());
   merged.starts.reserve(runs.starts.size());
   while (runs.starts.size() > 2) {
+    if (stopped && stopped()) return {};
     merged.stretches.clear();
     merged.starts.clear();
     const std::size_t lists = runs.starts.size() - 1;

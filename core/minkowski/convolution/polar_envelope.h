@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,7 +20,8 @@ struct Stretch {
 };
 
 // The outermost segments in counter-clockwise order from the x axis.  They leave no gap when the centre is inside the
-// sum.
-[[nodiscard]] std::vector<Stretch> polar_envelope(std::span<const Candidate> candidates);
+// sum.  Nothing when `stopped`, which is asked once for each pass over all segments unless it is empty.
+[[nodiscard]] std::optional<std::vector<Stretch>> polar_envelope(std::span<const Candidate> candidates,
+                                                                 const std::function<bool()>& stopped);
 
 }  // namespace selvage::minkowski::convolution

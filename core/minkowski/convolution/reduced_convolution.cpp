@@ -3,6 +3,8 @@
 namespace selvage::minkowski::convolution {
 namespace {
 
+constexpr std::size_t kAskedEvery = 32;  // vertices, so that small sums take no longer than without
+
 // Calls visit(edge) for every edge of `edges` from position `begin` up to `end` of their order by direction, which is
 // cyclic.
 template <class Visit>
@@ -56,7 +58,8 @@ bool inside_whole(const outline::StarPart& of_vertex, std::size_t vertex, const 
   return cross(in, out) <= 0 || cross(in, along) < 0 || cross(along, out) < 0;
 }
 
-std::vector<Candidate> reduced_convolution(const TurningPart& first, const TurningPart& second) {
+std::optional<std::vector<Candidate>> reduced_convolution(const TurningPart& first, const TurningPart& second,
+                                                          const std::function<bool()>& stopped) {
   const Polygon& p = first.part.vertices;
   const Polygon& q = second.part.vertices;
   const Turns& p_turns = first.turns;
@@ -84,11 +87,13 @@ std::vector<Candidate> reduced_convolution(const TurningPart& first, const Turni
   const std::vector<std::uint32_t> past_p = places(p_turns, q_turns, true);
   const std::vector<std::uint32_t> before_q = places(q_turns, p_turns, false);
   for (std::size_t i = 0; i < p.size(); ++i) {
+    if (i % kAskedEvery == 0 && stopped && stopped()) return {};
     if (!p_turns.convex[i]) continue;
     for_edges_between(q_turns, past_p[p_turns.into(i)], past_p[i],
                       [&](std::uint32_t e) { add(i, e, q_turns.edge[e].vector, false); });
   }
   for (std::size_t j = 0; j < q.size(); ++j) {
+    if (j % kAskedEvery == 0 && stopped && stopped()) return {};
     if (!q_turns.convex[j]) continue;
     for_edges_between(p_turns, before_q[q_turns.into(j)], before_q[j],
                       [&](std::uint32_t e) { add(e, j, p_turns.edge[e].vector, true); });

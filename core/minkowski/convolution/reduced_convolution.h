@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/minkowski/convolution/star_sum.h"
@@ -21,8 +23,11 @@ struct Candidate {
   bool edge_of_first{};  // whether the edge belongs to the first part
 };
 
-// All candidates that turn counter-clockwise about first.kernel + second.kernel.
-[[nodiscard]] std::vector<Candidate> reduced_convolution(const TurningPart& first, const TurningPart& second);
+// All candidates that turn counter-clockwise about first.kernel + second.kernel; nothing when `stopped`, which is asked
+// once for 32 vertices unless it is empty.
+[[nodiscard]] std::optional<std::vector<Candidate>> reduced_convolution(const TurningPart& first,
+                                                                        const TurningPart& second,
+                                                                        const std::function<bool()>& stopped);
 
 // True when a vertex of one part plus an edge of the other (from its vertex `edge` in direction `along`) is known to
 // lie inside the sum of the whole polygons: the edge is a cut between parts, or its direction is not within the whole

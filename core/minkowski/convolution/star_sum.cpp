@@ -57,19 +57,23 @@ SumEdge edge_along(const Candidate& c, Vec from, Vec to, const outline::StarPart
 
 }  // namespace
 
-StarSum star_sum(const TurningPart& first, const TurningPart& second) {
+std::optional<StarSum> star_sum(const TurningPart& first, const TurningPart& second,
+                                const std::function<bool()>& stopped) {
   const RealVec& a = first.part.kernel;
   const RealVec& b = second.part.kernel;
   StarSum sum{{a.x + b.x, a.y + b.y}, {}};
-  const std::vector<Candidate> candidates = reduced_convolution(first, second);
-  const std::vector<Stretch> envelope = polar_envelope(candidates);
+  const auto convolution = reduced_convolution(first, second, stopped);
+  if (!convolution) return {};
+  const std::vector<Candidate>& candidates = *convolution;
+  const auto envelope = polar_envelope(candidates, stopped);
+  if (!envelope) return {};
   const auto lattice_point = [&](double x, double y) {
     return Vec{rounded(sum.centre.x + x), rounded(sum.centre.y + y)};
   };
-  sum.edges.reserve(envelope.size());
+  sum.edges.reserve(envelope->size());
   const Stretch* before = nullptr;
   Vec to;
-  for (const Stretch& s : envelope) {
+  for (const Stretch& s : *envelope) {
     const Candidate& c = candidates[s.candidate];
     // Each stretch starts where the previous one ends, except for jumps along rays, which occur when a kernel has no
     // depth.

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/minkowski/convolution/turns.h"
@@ -39,7 +41,9 @@ struct StarSum {
   std::vector<SumEdge> edges;
 };
 
-// { a + b : a in first, b in second }.  REQUIRES: each part's kernel point lies inside its kernel.
-[[nodiscard]] StarSum star_sum(const TurningPart& first, const TurningPart& second);
+// { a + b : a in first, b in second }; nothing when `stopped`, which is asked once for 32 vertices and for each pass
+// over all chains, unless it is empty.  REQUIRES: each part's kernel point lies inside its kernel.
+[[nodiscard]] std::optional<StarSum> star_sum(const TurningPart& first, const TurningPart& second,
+                                              const std::function<bool()>& stopped);
 
 }  // namespace selvage::minkowski::convolution

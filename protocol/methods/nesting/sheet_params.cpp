@@ -1,5 +1,6 @@
 #include "protocol/methods/nesting/sheet_params.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/geometry/polygon.h"
@@ -34,11 +35,27 @@ using formats::jagua::Bin;
 using selvage::nesting::sheets::Sheet;
 using selvage::nesting::sheets::SheetZone;
 
-Result<Polygon> polygon_of(const std::vector<calls::Point>& given, Resolution resolution, const std::string& field) {
+using Corners = std::vector<calls::Point>;
+
+// Where the bounding box begins from which the positions on a sheet count.  Only the size of a sheet is limited by the
+// lattice, not how far from the origin it was drawn.
+calls::Point low_corner(const Corners& corners) {
+  if (corners.empty()) return {};
+  calls::Point low = corners.front();
+  for (const calls::Point& corner : corners) low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+  return low;
+}
+
+// A polygon of a sheet that begins at `origin`.
+Result<Polygon> polygon_of(const Corners& given, calls::Point origin, Resolution resolution, const std::string& field) {
   Polygon corners;
   for (const calls::Point& corner : given) {
-    const auto at = calls::place_on_lattice(corner, resolution, field + "/" + std::to_string(corners.size()));
-    if (!at) return at.error();
+    const calls::Point moved{corner.x - origin.x, corner.y - origin.y};
+    const std::string at_corner = field + "/" + std::to_string(corners.size());
+    const auto at = calls::place_on_lattice(moved, resolution, at_corner);
+    if (!at) {
+      return Error{at.error().code, "measured from the sheet's lower left corner, " + at.error().message, at_corner};
+    }
     corners.push_back(*at);
   }
   auto clean = geometry::clean_polygon(corners);
@@ -59,16 +76,18 @@ Result<Sheet> rectangle_of(const SheetParams& params, Resolution resolution, con
                .length = formats::overlap_on_lattice(*params.length, resolution)};
 }
 
-Result<std::vector<SheetZone>> zones_of(const SheetParams& params, Resolution resolution, const std::string& field) {
+Result<std::vector<SheetZone>> zones_of(const SheetParams& params, calls::Point origin, Resolution resolution,
+                                        const std::string& field) {
   std::vector<SheetZone> zones;
   for (std::size_t k = 0; params.holes && k < params.holes->size(); ++k) {
-    auto hole = polygon_of((*params.holes)[k].corners, resolution, field + "/holes/" + std::to_string(k));
+    auto hole = polygon_of((*params.holes)[k].corners, origin, resolution, field + "/holes/" + std::to_string(k));
     if (!hole) return hole.error();
     zones.push_back({*std::move(hole)});
   }
   for (std::size_t k = 0; params.zones && k < params.zones->size(); ++k) {
     const SheetZoneParams& given = (*params.zones)[k];
-    auto zone = polygon_of(given.outline.corners, resolution, field + "/zones/" + std::to_string(k) + "/outline");
+    auto zone =
+        polygon_of(given.outline.corners, origin, resolution, field + "/zones/" + std::to_string(k) + "/outline");
     if (!zone) return zone.error();
     zones.push_back({*std::move(zone), given.quality});
   }
@@ -76,7 +95,8 @@ Result<std::vector<SheetZone>> zones_of(const SheetParams& params, Resolution re
 }
 
 Result<Sheet> sheet_of(const SheetParams& params, Resolution resolution, const std::string& field) {
-  auto zones = zones_of(params, resolution, field);
+  const calls::Point origin = params.outline ? low_corner(params.outline->corners) : calls::Point{};
+  auto zones = zones_of(params, origin, resolution, field);
   if (!zones) return zones.error();
   Result<Sheet> sheet = Sheet{};
   if (!params.outline) {
@@ -88,7 +108,7 @@ Result<Sheet> sheet_of(const SheetParams& params, Resolution resolution, const s
                  "is given together with a width or a length; a sheet has either an outline or both of these",
                  field + "/outline"};
   } else {
-    const auto outline = polygon_of(params.outline->corners, resolution, field + "/outline");
+    const auto outline = polygon_of(params.outline->corners, origin, resolution, field + "/outline");
     if (!outline) return outline.error();
     sheet = selvage::nesting::sheets::sheet_within(*outline, *std::move(zones));
   }
@@ -96,10 +116,10 @@ Result<Sheet> sheet_of(const SheetParams& params, Resolution resolution, const s
   return sheet;
 }
 
-Result<Polygon> polygon_of(const formats::jagua::BinPolygon& given, Resolution resolution) {
-  std::vector<calls::Point> corners;
+Corners corners_of(const formats::jagua::BinPolygon& given) {
+  Corners corners;
   for (const document::Spot& corner : given.corners) corners.push_back({corner.x, corner.y});
-  return polygon_of(corners, resolution, given.field);
+  return corners;
 }
 
 // REQUIRES: it is a rectangle.
@@ -110,10 +130,10 @@ Result<Sheet> rectangle_of(const Bin& bin, Resolution resolution) {
   return rectangle_of(params, resolution, bin.outline.field);
 }
 
-Result<std::vector<SheetZone>> zones_of(const Bin& bin, Resolution resolution) {
+Result<std::vector<SheetZone>> zones_of(const Bin& bin, calls::Point origin, Resolution resolution) {
   std::vector<SheetZone> zones;
   for (const formats::jagua::BinZone& given : bin.zones) {
-    auto zone = polygon_of(given.outline, resolution);
+    auto zone = polygon_of(corners_of(given.outline), origin, resolution, given.outline.field);
     if (!zone) return zone.error();
     zones.push_back({*std::move(zone), given.quality});
   }
@@ -121,9 +141,11 @@ Result<std::vector<SheetZone>> zones_of(const Bin& bin, Resolution resolution) {
 }
 
 Result<Sheet> sheet_of(const Bin& bin, Resolution resolution) {
-  const auto outline = polygon_of(bin.outline, resolution);
+  const Corners corners = corners_of(bin.outline);
+  const calls::Point origin = low_corner(corners);
+  const auto outline = polygon_of(corners, origin, resolution, bin.outline.field);
   if (!outline) return outline.error();
-  auto zones = zones_of(bin, resolution);
+  auto zones = zones_of(bin, origin, resolution);
   if (!zones) return zones.error();
   Sheet sheet = selvage::nesting::sheets::sheet_within(*outline, *std::move(zones));
   if (bin.rectangle) {  // it has no walls, may have a margin, and is rounded down

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 #include "core/minkowski/convolution/convex_sum.h"
 #include "core/minkowski/sum.h"
@@ -20,12 +22,17 @@ outline::StarPart part_of(const Polygon& polygon) {
   return parts.front();
 }
 
-minkowski::convolution::StarSum star_sum_of(const Polygon& p, const Polygon& q) {
+std::optional<minkowski::convolution::StarSum> star_sum_of(const Polygon& p, const Polygon& q,
+                                                           const std::function<bool()>& stopped) {
   const outline::StarPart first = part_of(p);
   const outline::StarPart second = part_of(q);
   const minkowski::convolution::Turns of_first{first.vertices};
   const minkowski::convolution::Turns of_second{second.vertices};
-  return minkowski::convolution::star_sum({first, of_first}, {second, of_second});
+  return minkowski::convolution::star_sum({first, of_first}, {second, of_second}, stopped);
+}
+
+minkowski::convolution::StarSum star_sum_of(const Polygon& p, const Polygon& q) {
+  return *star_sum_of(p, q, {});
 }
 
 minkowski::MinkowskiSum sum_of(const Polygon& p, const Polygon& q) {
@@ -65,6 +72,24 @@ TEST(StarSum, RecordsTheSourceOfEachEdge) {
   ASSERT_NE(top, sum.edges.end());
   EXPECT_EQ(top->line_to, (Vec{-5, 37}));
   EXPECT_EQ(top->source, (minkowski::convolution::EdgeSource{.vertex = 2, .edge = 2, .vertex_of_first = false}));
+}
+
+TEST(StarSum, MayBeStoppedAgainAndAgain) {
+  Random random{129};
+  constexpr std::size_t kVertices = 200;
+  const Polygon p = random_star(random, kVertices, 1'000'000);
+  const Polygon q = random_star(random, kVertices, 1'000'000);
+  std::size_t asked = 0;
+  ASSERT_TRUE(star_sum_of(p, q, [&asked] {
+    ++asked;
+    return false;
+  }));
+  EXPECT_GE(asked, (p.size() + q.size()) / 32 + 3);  // three passes merge up to eight chains
+  for (std::size_t last = 1; last <= asked; ++last) {
+    std::size_t calls = 0;
+    ASSERT_FALSE(star_sum_of(p, q, [&] { return ++calls == last; })) << last;
+    ASSERT_EQ(calls, last);
+  }
 }
 
 // Regression: two candidates that cross exactly on the ray where angles pass half a turn; one was taken to last for the
