@@ -125,6 +125,15 @@ class Nest(CliTest):
         self.assertEqual(ran.returncode, OK, ran.stderr)
         self.assertIn("marker: 1 sheet\n  sheet 1      kind 1, 1 pieces", ran.stdout)
 
+    def test_sheets_may_have_costs(self):
+        document = squares()
+        document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]
+        kinds = [{"width": 50, "length": 50, "count": 3, "cost": 12}, {"width": 40, "length": 45, "count": 2, "cost": 0.5}]
+        ran = run("nest", self.write(document), "--moves", 200, "--sheets", json.dumps(kinds))
+        self.assertEqual(ran.returncode, OK, ran.stderr)
+        self.assertIn(": 3 sheets\n", ran.stdout)
+        self.assertIn("\n  cost         13\n", ran.stdout)
+
     def test_a_sheet_may_lie_far_from_the_origin(self):
         document = squares()
         document["unplaced"] = [{"id": name, "shape": "square"} for name in "abc"]

@@ -6,9 +6,11 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "core/nesting/layout/dice.h"
+#include "core/nesting/sheets/costs.h"
 #include "core/nesting/sheets/movable.h"
 #include "core/nesting/sheets/used_sheet.h"
 #include "core/nesting/sheets/worth.h"
@@ -50,20 +52,17 @@ class Driver {
         caller_{caller},
         dice_{settings.seed},
         worth_{worth_of(marker, pieces_, settings.values)},
+        costs_{sheets_},
         used_of_(sheets_.size()) {
     left_.resize(pieces_.size());
     std::iota(left_.begin(), left_.end(), 0U);
     std::stable_sort(left_.begin(), left_.end(),
                      [this](std::size_t a, std::size_t b) { return worth_.area[a] > worth_.area[b]; });
-    by_size_.resize(sheets_.size());
-    std::iota(by_size_.begin(), by_size_.end(), 0U);
-    std::stable_sort(by_size_.begin(), by_size_.end(),
-                     [this](std::size_t a, std::size_t b) { return sheets_[a].area > sheets_[b].area; });
   }
 
   SheetNesting nested() {
     (void)lay_one_after_another();
-    if (!used_.empty()) exchange_for_smaller(used_.size() - 1);
+    if (!used_.empty()) exchange(used_.size() - 1);
     keep_if_best();
     std::size_t failures = 0;
     while (!over() && failures < kFailures && (may_gain() || may_lay())) {
@@ -127,7 +126,7 @@ class Driver {
   // Lays pieces that are left over on sheets that are not used; false when none of them finds room.
   bool lay_one_after_another() {
     const std::size_t before = used_.size();
-    for (const std::size_t kind : by_size_) {
+    for (const std::size_t kind : costs_.by_price()) {
       while (used_of_[kind] < sheets_[kind].sheet->count && !left_.empty() && !caller_.stopped()) {
         const double now = spent();
         const double sheets = std::max(1.0, std::ceil(area_of_all(left_) / (kUsual * sheets_[kind].area)));
@@ -150,21 +149,50 @@ class Driver {
     return used_.size() > before;
   }
 
-  // The smallest free sheet that holds all pieces of a used one takes its place.
-  void exchange_for_smaller(std::size_t index) {
+  // Free sheets that hold all pieces of a used one and cost less take its place.
+  void exchange(std::size_t index) {
+    if (!exchange_for_cheaper(index) && costs_.differ()) exchange_for_several(index);
+  }
+
+  // The cheapest free sheet that holds all pieces of a used one takes its place.
+  bool exchange_for_cheaper(std::size_t index) {
     const UsedSheet used = used_[index];
-    for (auto kind = by_size_.rbegin(); kind != by_size_.rend() && !over(); ++kind) {
-      const ReadySheet& sheet = sheets_[*kind];
-      if (sheet.area >= sheets_[used.kind].area) return;
-      if (used_of_[*kind] == sheet.sheet->count || area_of_all(used.pieces) > sheet.area) continue;
+    for (const std::size_t kind : costs_.by_cost()) {
+      const ReadySheet& sheet = sheets_[kind];
+      if (over() || !costs_.cheaper(kind, used.kind)) return false;
+      if (used_of_[kind] == sheet.sheet->count || area_of_all(used.pieces) > sheet.area) continue;
       const Filled done =
-          fill_until({.kind = *kind, .pieces = {}, .placed = {}}, used.pieces, worth_.area, spent() + kTrial);
+          fill_until({.kind = kind, .pieces = {}, .placed = {}}, used.pieces, worth_.area, spent() + kTrial);
       if (done.used.pieces.size() < used.pieces.size()) continue;
       --used_of_[used.kind];
-      ++used_of_[*kind];
+      ++used_of_[kind];
       used_[index] = done.used;
-      return;
+      return true;
     }
+    return false;
+  }
+
+  // Several free sheets that cost less in all than a used one take its place.
+  void exchange_for_several(std::size_t index) {
+    Indices rest = used_[index].pieces;
+    std::vector<UsedSheet> several;
+    double cost = 0;
+    for (const std::size_t kind : costs_.by_price()) {
+      const std::size_t free = sheets_[kind].sheet->count - used_of_[kind];
+      for (std::size_t k = 0; k < free && !rest.empty() && cost + costs_.of(kind) < costs_.of(used_[index].kind); ++k) {
+        if (over()) return;
+        Filled done = fill_until({.kind = kind, .pieces = {}, .placed = {}}, rest, worth_.weight, spent() + kTrial);
+        if (done.used.pieces.empty()) break;
+        rest = without(rest, done.used.pieces);
+        cost += costs_.of(kind);
+        several.push_back(std::move(done.used));
+      }
+    }
+    if (!rest.empty()) return;
+    --used_of_[used_[index].kind];
+    for (const UsedSheet& one : several) ++used_of_[one.kind];
+    used_.erase(used_.begin() + static_cast<std::ptrdiff_t>(index));
+    used_.insert(used_.end(), several.begin(), several.end());
   }
 
   [[nodiscard]] bool may_gain() const {
@@ -173,31 +201,23 @@ class Driver {
         return std::any_of(used_.begin(), used_.end(), [&](const UsedSheet& used) { return fits(piece, used.kind); });
       });
     }
-    // The number of the largest sheets that have the area of all pieces.
-    double area = 0;
-    std::size_t needed = 0;
-    const double pieces = std::accumulate(worth_.area.begin(), worth_.area.end(), 0.0);
-    for (const std::size_t kind : by_size_) {
-      for (std::size_t k = 0; k < sheets_[kind].sheet->count && area < pieces; ++k, ++needed)
-        area += sheets_[kind].area;
-    }
-    return used_.size() > needed;
+    return costs_.of(used_) > costs_.least_for(std::accumulate(worth_.area.begin(), worth_.area.end(), 0.0));
   }
   [[nodiscard]] bool fits(std::size_t piece, std::size_t kind) const { return sheets_[kind].fits[piece]; }
   // Whether a piece that is left over fits a sheet that is not used: it was taken off another one, or a filling ended
   // early.
   [[nodiscard]] bool may_lay() const {
-    return std::any_of(by_size_.begin(), by_size_.end(), [this](std::size_t kind) {
+    return std::any_of(costs_.by_price().begin(), costs_.by_price().end(), [this](std::size_t kind) {
       return used_of_[kind] < sheets_[kind].sheet->count &&
              std::any_of(left_.begin(), left_.end(), [&](std::size_t piece) { return fits(piece, kind); });
     });
   }
 
-  // The least worth left over counts, then how few sheets are used.
+  // The least worth left over counts, then how little the sheets cost, then how few there are.
   void keep_if_best() {
-    const double left = value_of(left_, worth_.value);
-    if (left > best_left_value_ || (left == best_left_value_ && used_.size() > best_used_.size())) return;
-    best_left_value_ = left;
+    const std::tuple result{value_of(left_, worth_.value), costs_.of(used_), used_.size()};
+    if (result > best_result_) return;
+    best_result_ = result;
     best_used_ = used_;
     best_left_ = left_;
   }
@@ -215,15 +235,15 @@ class Driver {
     return true;
   }
 
-  // Moves area from the emptiest sheet to another one; a sheet that is empty then is no longer used.
+  // Moves area from the sheet that holds least for its cost to another one; a sheet that is empty then is no longer
+  // used.
   bool empty_the_emptiest() {
     if (used_.size() < 2) return false;
+    const auto by_content = [this](const UsedSheet& a, const UsedSheet& b) {
+      return area_of_all(a.pieces) * costs_.of(b.kind) < area_of_all(b.pieces) * costs_.of(a.kind);
+    };
     const auto emptiest =
-        static_cast<std::size_t>(std::min_element(used_.begin(), used_.end(),
-                                                  [this](const UsedSheet& a, const UsedSheet& b) {
-                                                    return area_of_all(a.pieces) < area_of_all(b.pieces);
-                                                  }) -
-                                 used_.begin());
+        static_cast<std::size_t>(std::min_element(used_.begin(), used_.end(), by_content) - used_.begin());
     const std::size_t other = (emptiest + 1 + dice_.below(used_.size() - 1)) % used_.size();
     const double before = area_of_all(used_[other].pieces);
     const Filled fuller = fill_until(used_[other], used_[emptiest].pieces, worth_.area, spent() + kTrial);
@@ -240,7 +260,7 @@ class Driver {
       --used_of_[fresh.kind];
       used_.erase(used_.begin() + static_cast<std::ptrdiff_t>(emptiest));
     } else {
-      exchange_for_smaller(emptiest);
+      exchange(emptiest);
     }
     return true;
   }
@@ -275,13 +295,13 @@ class Driver {
   const scene::Run& caller_;
   layout::Dice dice_;
   Worth worth_;
+  Costs costs_;
   Indices used_of_;  // how many sheets of each kind are used
-  Indices by_size_;  // kinds, the largest first
   Indices left_;     // pieces that lie on no sheet
   Indices in_vain_;  // ascending; those that were last tried on the free sheets, without success
   std::vector<UsedSheet> used_, best_used_;
   Indices best_left_;
-  double best_left_value_{std::numeric_limits<double>::infinity()};
+  std::tuple<double, double, std::size_t> best_result_{std::numeric_limits<double>::infinity(), 0, 0};
   std::uint64_t moves_{}, fillings_{};
   int programs_{};
 };

@@ -1,11 +1,13 @@
-// Nesting on sheets that end, of given sizes and forms: as much as possible lies on them, on as few as possible, and
-// what they have no room for is left over.
+// Nesting on sheets that end, of given sizes and forms: as much as possible lies on them, on sheets that cost as little
+// as possible, and what they have no room for is left over.  Sheets cost the same unless their costs are given; then
+// as few as possible are used.
 //
-//     the largest sheets first: fill each with the pieces that are not laid yet (filling/fill.h)
-//     the last one: exchange it for the smallest sheet that holds its pieces
+//     sheets that cost least for their area first, the largest of them: fill each with pieces that are not laid yet
+//       (filling/fill.h)
+//     the last one: exchange it for the cheapest sheet that holds its pieces, the smallest of them
 //     until the budget is used up, or nothing can be gained:
 //       while pieces are left over: bring them onto a sheet, in place of others that are worth less
-//       then: move pieces of the emptiest sheet to another, until it is empty
+//       then: move pieces of the sheet that holds least for its cost to another, until it is empty
 //
 // Laws.  (1) Every sheet is valid, proved in integers, also against its outline and its zones.  (2) Every piece lies on
 // one sheet or is left over.  (3) No more sheets are used than there are.  (4) The same input and settings give the

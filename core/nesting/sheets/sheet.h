@@ -27,6 +27,7 @@ struct Sheet {
   std::optional<Polygon> outline{};
   std::vector<SheetZone> zones{};
   std::size_t count{1};  // how many of them there are
+  double cost{1};        // of one of them, in any unit; at least 0, such as for a remnant
 };
 
 // The sheet within an outline, all moved so that the outline's bounding box begins at the origin.

@@ -83,7 +83,12 @@ void add_zone(const Json& value, const std::string& at, Bin& bin, json::Mistake&
 Bin read_bin(const Json& value, const std::string& at, json::Mistake& mistake) {
   json::Fields fields{value, at, mistake};
   BinShape shape = read_shape(fields.object("shape"), fields.pointer("shape"), mistake);
-  Bin bin{.field = at, .outline = std::move(shape.outline), .rectangle = shape.rectangle, .zones = {}, .count = 1};
+  Bin bin{.field = at,
+          .outline = std::move(shape.outline),
+          .rectangle = shape.rectangle,
+          .zones = {},
+          .count = 1,
+          .cost = 1};
   for (BinPolygon& hole : shape.holes) bin.zones.push_back({std::move(hole), std::nullopt});
   if (const Json* zones = fields.maybe_array("zones")) {
     for (std::size_t k = 0; k < zones->size() && !mistake; ++k) {
@@ -96,6 +101,7 @@ Bin read_bin(const Json& value, const std::string& at, json::Mistake& mistake) {
   }
   const double stock = fields.number_or("stock", 1, {0, std::numeric_limits<double>::max()});
   if (stock != std::floor(stock)) mistake.add(ErrorCode::kOutOfRange, "is no whole number", fields.pointer("stock"));
+  bin.cost = fields.number_or("cost", 1, {0, kNumbers.most});
   bin.count = static_cast<std::size_t>(std::min(stock, static_cast<double>(kMostInStock)));
   return bin;
 }

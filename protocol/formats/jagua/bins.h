@@ -38,11 +38,12 @@ struct Bin {
   std::optional<document::Spot> rectangle{};  // its size, if it is one
   std::vector<BinZone> zones;                 // those of the best quality are left out
   std::size_t count{};                        // of its stock
+  double cost{};                              // of one of them
 };
 
 // The bins of the field "bins".  Bins of which none is in stock are left out.
 // Errors: kMissingField, kWrongType, kOutOfRange for what is no list of bins, and for more than 1,000 holes and zones
-// of one bin.
+// of one bin.  Without a cost, a bin costs 1.
 [[nodiscard]] Result<std::vector<Bin>> read_bins(const Json& bins);
 
 // The size across of the widest one; 0 when there is none.

@@ -55,12 +55,14 @@ struct NestedSheet {
 struct NestSheetsResult {
   std::vector<NestedSheet> sheets;
   std::vector<std::string> left_over;
+  double cost{};
   std::uint64_t moves{};
   calls::StopCause stop{};
 
   static void describe(auto& v, auto& self) {
     v.required("sheets", self.sheets, "The sheets that are used.");
     v.required("leftOver", self.left_over, "Ids of the pieces for which no room was found.");
+    v.required("cost", self.cost, "What the used sheets cost in all; sheets without a cost cost 1 each.");
     v.required("moves", self.moves, "Number of moves of a piece in the search.");
     v.required("stop", self.stop, calls::kStopMeaning);
   }
@@ -129,6 +131,7 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
   if (!done) return with_field_of(done.error(), *given);
   NestSheetsResult result{.sheets = {},
                           .left_over = {},
+                          .cost = 0,
                           .moves = done->moves,
                           .stop = cause_of_end(done->reason, done->out_of_time, context)};
   for (selvage::nesting::sheets::SheetLayout& layout : done->layouts) {
@@ -139,6 +142,7 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
     auto document = files::marker_document(with_sheet(file, std::move(layout.marker)), files::FileFormat::kNative);
     if (!document) return document.error();
     nested.marker = {*std::move(document)};
+    result.cost += sheets[layout.sheet].cost;
     result.sheets.push_back(std::move(nested));
   }
   for (const Piece& piece : done->left_over) result.left_over.push_back(piece.id);
@@ -149,8 +153,8 @@ Result<NestSheetsResult> run_nest_sheets(const NestSheetsParams& params, const M
 
 calls::Method nest_sheets_method() {
   return readings::reading_method("marker.nestSheets", calls::MethodKind::kSearch,
-                                  "Nests all pieces on as few of the given sheets as it finds; the marker itself stays "
-                                  "as it is.",
+                                  "Nests all pieces on as few of the given sheets as it finds, or on those that cost "
+                                  "least; the marker itself stays as it is.",
                                   run_nest_sheets);
 }
 

@@ -113,6 +113,7 @@ Result<Sheet> sheet_of(const SheetParams& params, Resolution resolution, const s
     sheet = selvage::nesting::sheets::sheet_within(*outline, *std::move(zones));
   }
   sheet->count = params.count;
+  sheet->cost = params.cost;
   return sheet;
 }
 
@@ -156,6 +157,7 @@ Result<Sheet> sheet_of(const Bin& bin, Resolution resolution) {
     sheet.length = rectangle->length;
   }
   sheet.count = bin.count;
+  sheet.cost = bin.cost;
   return sheet;
 }
 

@@ -54,6 +54,7 @@ struct SheetZoneParams {
 struct SheetParams {
   static constexpr std::size_t kMostZones = 200;
   static constexpr double kMostOfOneKind = 1'000;
+  static constexpr double kMostCost = 1e12;
   static constexpr std::string_view kName = "Sheet";
   static constexpr std::string_view kMeaning = "Sheets of one size and form: a rectangle, or the inside of an outline.";
   std::optional<double> width, length;
@@ -61,6 +62,7 @@ struct SheetParams {
   std::optional<std::vector<SheetOutline>> holes;
   std::optional<std::vector<SheetZoneParams>> zones;
   std::uint64_t count{1};
+  double cost{1};
 
   static void describe(auto& v, auto& self) {
     v.optional("width", self.width, "The width of a rectangle, across the grain, in the marker's unit.",
@@ -73,6 +75,9 @@ struct SheetParams {
                {.entries = {{0, kMostZones}}, .entries_are = "zones"});
     v.optional("count", self.count, "How many of these sheets there are, 1 to 1,000.",
                {.range = {{1, kMostOfOneKind}}});
+    v.optional("cost", self.cost,
+               "What one of these sheets costs, in any unit; sheets whose total cost is least are used.",
+               {.range = {{0, kMostCost}}});
   }
 };
 

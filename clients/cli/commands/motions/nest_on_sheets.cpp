@@ -134,6 +134,8 @@ std::string summary_of(const std::string& name, const Json& fields) {
                   100 * sheets[k]["utilisation"].number());
     text += line;
   }
+  const double cost = fields["cost"].number();
+  if (cost != static_cast<double>(sheets.size())) text += "  cost         " + protocol::json::number_text(cost) + "\n";
   const Json& left_over = fields["leftOver"];
   if (left_over.empty()) return text;
   constexpr std::size_t kNamed = 10;

@@ -118,6 +118,8 @@ export type Sheet = {
   zones?: Array<SheetZone>;
   /** How many of these sheets there are, 1 to 1,000. */
   count?: number;
+  /** What one of these sheets costs, in any unit; sheets whose total cost is least are used. */
+  cost?: number;
 };
 
 /** A part of a sheet that only pieces which accept its quality may cover. */
@@ -275,7 +277,7 @@ export interface ReadingMethods {
       regions: Array<Region>;
     };
   };
-  /** Nests all pieces on as few of the given sheets as it finds; the marker itself stays as it is. */
+  /** Nests all pieces on as few of the given sheets as it finds, or on those that cost least; the marker itself stays as it is. */
   "marker.nestSheets": {
     params: {
       /** The marker's id. */
@@ -304,6 +306,8 @@ export interface ReadingMethods {
       sheets: Array<NestedSheet>;
       /** Ids of the pieces for which no room was found. */
       leftOver: Array<string>;
+      /** What the used sheets cost in all; sheets without a cost cost 1 each. */
+      cost: number;
       /** Number of moves of a piece in the search. */
       moves: number;
       /** Why the motion ended. */

@@ -85,7 +85,8 @@ TEST(Sheets, EveryPieceLiesOnAValidSheetOrIsLeftOver) {
       piece.group.clear();
     }
     const Coord width = marker.strip.width;
-    const std::vector<Sheet> sheets{plain_sheet(width, length_of(marker) / 3 + 1, 2), plain_sheet(width / 2, width)};
+    std::vector<Sheet> sheets{plain_sheet(width, length_of(marker) / 3 + 1, 2), plain_sheet(width / 2, width)};
+    sheets[0].cost = trial % 3;
     const SheetNesting nesting = laid(marker, sheets, 200);
     EXPECT_EQ(ids_of(nesting), ids_of(marker)) << "trial " << trial;
     std::vector<std::size_t> used(sheets.size());
@@ -117,6 +118,37 @@ TEST(Sheets, TakesTheSmallestSheetForTheRest) {
   EXPECT_EQ(nesting.layouts[0].sheet, 1u);
   EXPECT_EQ(nesting.layouts[1].sheet, 0u);
   EXPECT_TRUE(nesting.left_over.empty());
+}
+
+std::vector<std::size_t> kinds_of(const SheetNesting& nesting) {
+  std::vector<std::size_t> kinds;
+  for (const SheetLayout& layout : nesting.layouts) kinds.push_back(layout.sheet);
+  std::sort(kinds.begin(), kinds.end());
+  return kinds;
+}
+
+TEST(Sheets, RemnantsThatCostNothingAreUsedFirst) {
+  // A whole sheet holds four of the pieces, a remnant one.
+  const Marker marker = unplaced_pieces({rectangle(480'000, 480'000)}, 5, kWidth);
+  std::vector<Sheet> sheets{plain_sheet(kWidth, kWidth, 3), plain_sheet(500'000, 500'000, 6)};
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{0, 1}));
+  sheets[1].cost = 0;
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{1, 1, 1, 1, 1}));
+  sheets[1].count = 2;
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{0, 1, 1}));
+  sheets[0].cost = 0;  // nothing costs anything: as few as possible
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(Sheets, SeveralTakeThePlaceOfOneThatCostsMore) {
+  // The large sheet is the cheapest for its area, but its pieces lie on two smaller ones that cost less.
+  const Marker marker = unplaced_pieces({rectangle(480'000, 480'000)}, 3, kWidth);
+  std::vector<Sheet> sheets{plain_sheet(10 * kWidth, 10 * kWidth), plain_sheet(500'000, kWidth, 3)};
+  sheets[0].cost = 100;
+  sheets[1].cost = 2;
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{1, 1}));
+  sheets[1].cost = 50;
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{0}));
 }
 
 TEST(Sheets, ListsPiecesForWhichThereIsNoRoom) {

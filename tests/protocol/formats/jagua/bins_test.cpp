@@ -17,9 +17,9 @@ constexpr std::string_view kInstance = R"({
     {"id": 1, "demand": 1, "allowed_orientations": [0.0], "min_quality": 7,
      "shape": {"type": "simple_polygon", "data": [[0, 0], [8, 0], [8, 8], [0, 8]]}}],
   "bins": [
-    {"id": 0, "cost": 1, "stock": 3, "shape": {"type": "rectangle", "data": {"x_min": 5, "y_min": -2, "width": 30, "height": 20}}},
+    {"id": 0, "cost": 7, "stock": 3, "shape": {"type": "rectangle", "data": {"x_min": 5, "y_min": -2, "width": 30, "height": 20}}},
     {"id": 1, "cost": 1, "stock": 0, "shape": {"type": "rectangle", "data": {"x_min": 0, "y_min": 0, "width": 99, "height": 99}}},
-    {"id": 2, "cost": 1, "stock": 1e18,
+    {"id": 2, "stock": 1e18,
      "shape": {"type": "polygon", "data": {"outer": [[0, 0], [60, 0], [30, 50]], "inner": [[[25, 5], [30, 5], [30, 10]]]}},
      "zones": [{"quality": 0, "shape": {"type": "simple_polygon", "data": [[1, 1], [5, 1], [5, 2]]}},
                {"quality": 8, "shape": {"type": "simple_polygon", "data": [[40, 1], [50, 1], [50, 9]]}},
@@ -36,10 +36,12 @@ TEST(Bins, AreReadWithHolesZonesAndStock) {
   const jagua::Bin& rectangle = bins->front();
   EXPECT_EQ(rectangle.rectangle, (document::Spot{30, 20}));
   EXPECT_EQ(rectangle.count, 3u);
+  EXPECT_EQ(rectangle.cost, 7);
   EXPECT_EQ(rectangle.outline.corners, (std::vector<document::Spot>{{5, -2}, {35, -2}, {35, 18}, {5, 18}}));
   const jagua::Bin& hide = bins->back();
   EXPECT_EQ(hide.rectangle, std::nullopt);
   EXPECT_EQ(hide.count, 1'000u);
+  EXPECT_EQ(hide.cost, 1);
   EXPECT_EQ(hide.outline.field, "/bins/2/shape/data/outer");
   ASSERT_EQ(hide.zones.size(), 3u);
   EXPECT_EQ(hide.zones[0].outline.field, "/bins/2/shape/data/inner/0");
@@ -101,6 +103,7 @@ TEST(Bins, MistakesAreNamedWithTheirField) {
       {"shape", {{"type", "simple_polygon"}, {"data", Json::array({Json::array({"a", 2})})}}, "/bins/0/shape/data/0/0"},
       {"stock", "many", "/bins/0/stock"},
       {"stock", 1.5, "/bins/0/stock"},
+      {"cost", -1, "/bins/0/cost"},
       {"zones", Json::array({Json::object({{"shape", Json::object()}})}), "/bins/0/zones/0/quality"},
   };
   for (const Case& wrong : cases) {
