@@ -283,7 +283,7 @@ Family nesting_family() {
        {"search.rows_per_place", &S::rows_per_place},
        {"search.apart", &S::apart},
        {"search.stretch", &S::stretch},
-       {"search.dear_fields", &S::dear_fields},
+       {"search.costly_fields", &S::costly_fields},
        {"search.hopeless", &S::hopeless},
        {"search.weight_growth", &S::weight_growth},
        {"search.extra_growth", &S::extra_growth},

@@ -89,12 +89,21 @@ Wide doubled_area(std::span<const Vec> polygon) {
   return sum;
 }
 
+double area_of(std::span<const Vec> polygon) {
+  return static_cast<double>(doubled_area(polygon)) / 2;
+}
+
 bool is_convex(std::span<const Vec> polygon) {
   const std::size_t n = polygon.size();
   for (std::size_t i = 0; i < n; ++i) {
     if (side_of(polygon[i], polygon[(i + 1) % n], polygon[(i + 2) % n]) <= 0) return false;
   }
   return n >= 3;
+}
+
+Polygon moved(Polygon polygon, Vec by) {
+  for (Vec& vertex : polygon) vertex = vertex + by;
+  return polygon;
 }
 
 Location locate(Vec point, std::span<const Vec> polygon) {

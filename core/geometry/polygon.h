@@ -17,7 +17,10 @@ inline constexpr std::size_t kMaxVertices = 2000;  // of one shape
 
 // Twice the signed area; positive for a counter-clockwise polygon.
 [[nodiscard]] Wide doubled_area(std::span<const Vec> polygon);
+// The area, rounded to a double; of a counter-clockwise polygon.
+[[nodiscard]] double area_of(std::span<const Vec> polygon);
 [[nodiscard]] bool is_convex(std::span<const Vec> polygon);
+[[nodiscard]] Polygon moved(Polygon polygon, Vec by);
 
 enum class Location { kOutside, kBoundary, kInside };
 // Whether the point lies inside, outside or on the boundary.  Exact.

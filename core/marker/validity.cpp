@@ -1,6 +1,7 @@
 #include "core/marker/validity.h"
 
 #include <algorithm>
+#include <string>
 
 #include "core/marker/clearance.h"
 #include "core/minkowski/cache.h"
@@ -94,6 +95,48 @@ std::vector<Overlap> overlaps_unmeasured(const Marker& marker) {
   std::vector<Overlap> overlaps;
   for (const PiecePair& pair : conflicts(pieces)) overlaps.push_back(unmeasured(pair, pieces));
   return overlaps;
+}
+
+std::optional<Error> defect_of_fixed(const Marker& marker, const std::vector<bool>& fixed) {
+  const PlacedPieces pieces{marker};
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
+    if (!fixed[i]) continue;
+    if (protrusion_of(pieces, i, marker.strip) > 0) {
+      return Error{ErrorCode::kOutsideStrip,
+                   "piece \"" + marker.pieces[i].id +
+                       "\" must stay where it is, but lies outside the strip or the room that its rules leave",
+                   "/pieces/" + std::to_string(i)};
+    }
+  }
+  for (const Shade& shade : pieces.shades()) {
+    std::optional<Box> box;
+    for (const std::uint32_t i : shade.pieces) {
+      if (fixed[i]) box = box ? united(*box, pieces.box(i)) : pieces.box(i);
+    }
+    if (!box || box->width() <= shade.length) continue;
+    return Error{ErrorCode::kOutsideStrip,
+                 "pieces of shade \"" + marker.pieces[shade.pieces.front()].rules.shade +
+                     "\" must stay where they are, but lie too far from each other",
+                 "/shade"};
+  }
+  for (const MatchSet& set : pieces.match_sets()) {
+    const auto first = std::ranges::find_if(set, [&](const std::uint32_t i) { return fixed[i]; });
+    for (auto other = first; other != set.end(); ++other) {
+      if (!fixed[*other] || pieces.off_phase(*other, *first) == Vec{}) continue;
+      return Error{ErrorCode::kOutsideStrip,
+                   "pieces \"" + marker.pieces[*first].id + "\" and \"" + marker.pieces[*other].id +
+                       "\" of one match set must stay where they are, but are off each other's repeats",
+                   "/pieces/" + std::to_string(*other)};
+    }
+  }
+  for (const auto& [first, second] : conflicts(pieces)) {
+    if (!fixed[first] || !fixed[second]) continue;
+    return Error{ErrorCode::kMarkerOverlaps,
+                 "pieces \"" + marker.pieces[first].id + "\" and \"" + marker.pieces[second].id +
+                     "\" must stay where they are, but overlap or are too close",
+                 "/pieces/" + std::to_string(second)};
+  }
+  return std::nullopt;
 }
 
 bool is_valid(const Marker& marker) {

@@ -63,6 +63,10 @@ struct Validity {
 // All overlapping pairs, found exactly but without the costly depths: every depth is 0, and the witness is the centre
 // of the intersection of the two boxes.
 [[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
+// Pieces that must stay where they are have to lie validly.  `fixed`: at least for every placed piece, whether it is
+// one of them.
+// Errors: kMarkerOverlaps and kOutsideStrip when they do not; `field` is a JSON pointer into the marker.
+[[nodiscard]] std::optional<Error> defect_of_fixed(const Marker& marker, const std::vector<bool>& fixed);
 // The verdict only.
 [[nodiscard]] bool is_valid(const Marker& marker);
 

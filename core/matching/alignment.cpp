@@ -9,10 +9,6 @@
 namespace selvage::matching {
 namespace {
 
-double area_of(const Polygon& polygon) {
-  return static_cast<double>(doubled_area(polygon)) / 2;
-}
-
 // Rounded towards the smaller coordinate, alike for all boxes.
 Coord halved(Coord sum) {
   return sum >= 0 ? sum / 2 : (sum - 1) / 2;

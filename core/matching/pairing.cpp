@@ -12,7 +12,7 @@ namespace {
 constexpr double kOtherId = 1.05;  // factor on the cost of shapes whose ids differ, where a name is not known
 
 double shape_area(const Shape& shape) {
-  return static_cast<double>(doubled_area(shape.outline)) / 2;
+  return geometry::area_of(shape.outline);
 }
 
 // Texts as numbers, which are compared thousands of times; 0 is the empty text.

@@ -37,7 +37,7 @@ Signature signature_of(const Marker& marker) {
   const auto add = [&](const Piece& piece) {
     const Polygon& outline = marker.shapes[piece.shape.value].outline;
     const Box box = box_of(outline);
-    const double area = static_cast<double>(doubled_area(outline)) / 2 / width / width;
+    const double area = geometry::area_of(outline) / width / width;
     signature.area += area;
     areas.push_back(std::sqrt(area));
     longer.push_back(static_cast<double>(std::max(box.width(), box.height())) / width);

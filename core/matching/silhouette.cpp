@@ -45,7 +45,7 @@ Silhouette silhouette_of(const Polygon& outline) {
   Silhouette silhouette;
   silhouette.width = static_cast<double>(box.width());
   silhouette.height = static_cast<double>(box.height());
-  silhouette.area = static_cast<double>(doubled_area(outline)) / 2;
+  silhouette.area = geometry::area_of(outline);
   for (int row = 0; row < Silhouette::kSide; ++row) {
     const double y = static_cast<double>(box.low.y) + (row + 0.5) * silhouette.height / Silhouette::kSide;
     silhouette.rows[static_cast<std::size_t>(row)] = row_of(outline, box, y);

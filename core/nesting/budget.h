@@ -21,9 +21,8 @@ class Budget {
       : most_{moves}, elapsed_{std::move(elapsed)}, stop_{std::move(stop)}, explored_{explored}, epoch_{first_epoch} {}
 
   [[nodiscard]] bool timed() const { return static_cast<bool>(elapsed_); }
-  [[nodiscard]] bool stopped() const { return stop_.stop_requested(); }
   // True when the search is to end however many moves it has made.
-  [[nodiscard]] bool out_of_time() const { return stopped() || (elapsed_ && elapsed_() >= 1); }
+  [[nodiscard]] bool out_of_time() const { return stop_.stop_requested() || (elapsed_ && elapsed_() >= 1); }
   [[nodiscard]] bool over(std::uint64_t moves) const { return moves >= most_ || out_of_time(); }
   // The part of it that is used up; 1 and more when it is over.
   [[nodiscard]] double used(std::uint64_t moves) const {

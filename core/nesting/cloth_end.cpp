@@ -14,6 +14,9 @@
 namespace selvage::nesting {
 namespace {
 
+// Work on putting pieces back, counted in pieces that each trial of an orientation looks at.
+constexpr std::size_t kMostLookedAt = 20'000'000;
+
 // The piece at a free position on the cloth, as far left as the orientations allow; nothing when there is none.
 std::optional<Piece> put_down(const Marker& lying, Piece piece, const layout::Kind& kind, const scene::Run& run) {
   const Piece original = piece;
@@ -35,8 +38,8 @@ std::optional<Piece> put_down(const Marker& lying, Piece piece, const layout::Ki
   return best;
 }
 
-// Puts pieces that do not lie where there is room for them, the largest first.
-void put_back(filling::Filling& filling, const layout::PieceSet& set, const scene::Run& run) {
+// Puts pieces that do not lie where there is room for them, the largest first, until time or work is used up.
+void put_back(filling::Filling& filling, const layout::PieceSet& set, const Budget& budget, const scene::Run& run) {
   std::vector<std::size_t> off;
   for (std::size_t i = 0; i < filling.lies.size(); ++i) {
     if (!filling.lies[i]) off.push_back(i);
@@ -44,9 +47,11 @@ void put_back(filling::Filling& filling, const layout::PieceSet& set, const scen
   std::stable_sort(off.begin(), off.end(),
                    [&set](std::size_t a, std::size_t b) { return set.kind(a).area > set.kind(b).area; });
   std::set<std::uint32_t> hopeless;  // kinds: once one of them does not fit, none does
+  std::size_t looked_at = 0;
   for (const std::size_t i : off) {
-    if (run.stopped()) break;
+    if (budget.out_of_time() || looked_at > kMostLookedAt) break;
     if (hopeless.contains(set.kind_of[i])) continue;
+    looked_at += set.kind(i).turned.size() * set.size();
     Marker lying = filling::with_lying_pieces(filling.marker, filling.lies);
     lying.unplaced.clear();
     if (auto placed = put_down(lying, filling.marker.pieces[i], set.kind(i), run)) {
@@ -66,7 +71,7 @@ filling::Filling end_with_cloth(Marker all, const AtClothEnd& at, const scene::R
   filling.lies.assign(filling.marker.pieces.size(), true);
   if (last) {
     filling.lies = filling::pieces_before(filling.marker, *last);
-    put_back(filling, at.set, run);
+    put_back(filling, at.set, at.budget, run);
   }
   filling.value = filling::value_of(filling.lies, at.values);
   const bool all_lie = std::find(filling.lies.begin(), filling.lies.end(), false) == filling.lies.end();

@@ -25,7 +25,7 @@ struct AtClothEnd {
 };
 
 // `all` has all pieces as placed ones; they are valid, except that pieces other than fixed ones may reach beyond the
-// end of the cloth.  When cancelled, those pieces are left over.
+// end of the cloth.  When cancelled or out of time, those pieces are left over.
 [[nodiscard]] filling::Filling end_with_cloth(Marker all, const AtClothEnd& at, const scene::Run& run);
 
 }  // namespace selvage::nesting

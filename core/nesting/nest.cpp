@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/marker/validity.h"
 #include "core/motion/piece/sweep.h"
 #include "core/nesting/batches/batch_share.h"
 #include "core/nesting/best_of_all.h"
@@ -208,7 +209,7 @@ Result<Start> start_of(const Marker& given, const NestSettings& settings, minkow
     if (!set) return set.error();
     start.set = std::move(*set);
   }
-  if (auto defect = start::defect_of_fixed(start.marker, start.set.fixed)) return *std::move(defect);
+  if (auto defect = marker::defect_of_fixed(start.marker, start.set.fixed)) return *std::move(defect);
   return start;
 }
 
@@ -218,10 +219,15 @@ Result<Marker> first_marker(const Start& start, const NestSettings& settings, co
   endless.strip = start.marker.strip.ending(std::nullopt);
   const TimedRun timed{run, settings.elapsed};
   const NestTuning& tuning = settings.tuning;
-  return start::first_layout(
-      endless, start.set, start::kept_where_valid(endless, start.set),
-      {settings.seed, tuning.map_bytes, tuning.most_pieces, tuning.separation_rounds, tuning.search},
-      timed.run().quiet());
+  const Budget budget{0, settings.elapsed, run.stop, tuning.explored, tuning.first_epoch};
+  const start::FirstLayoutSettings first{.seed = settings.seed,
+                                         .map_bytes = tuning.map_bytes,
+                                         .most_pieces = tuning.most_pieces,
+                                         .separation_rounds = tuning.separation_rounds,
+                                         .search = tuning.search,
+                                         .out_of_time = [&budget] { return budget.out_of_time(); }};
+  return start::first_layout(endless, start.set, start::kept_where_valid(endless, start.set), first,
+                             timed.run().quiet());
 }
 
 // The settings of each search, which has its share of the memory for maps.
@@ -305,7 +311,14 @@ Result<Nesting> nest_alone(const Marker& given, const NestSettings& settings, co
 Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run) {
   const auto matched = start::with_sets_matched_to_cloth(start);
   if (!matched) return nest_alone(start, settings, run);
-  auto nesting = nest_alone(*matched, settings, run);
+  scene::Run own = run;
+  own.observer.on_round = [&](scene::Round round) {
+    std::optional<Marker> as_given;
+    if (round.marker) start::give_back_rules(as_given.emplace(*round.marker), start);
+    if (as_given) round.marker = &*as_given;
+    run.observer.on_round(round);
+  };
+  auto nesting = nest_alone(*matched, settings, own);
   if (nesting) start::give_back_rules(nesting->marker, start);
   return nesting;
 }

@@ -50,7 +50,7 @@ struct NestSettings {
   NestTuning tuning{};
 };
 
-// `rounds` counts the markers that were better than any before; `length_before` is that of the placed pieces.
+// `rounds` counts the improvements of the search that the answer is from; `length_before` is that of the placed pieces.
 struct Nesting : motion::repair::MotionResult {
   std::uint64_t moves{};             // of all searches
   std::size_t search{};              // the one that the answer is from
@@ -60,9 +60,10 @@ struct Nesting : motion::repair::MotionResult {
 };
 
 // More pieces than NestTuning::most_pieces are nested in batches, one after another (batches/batches.h).
-// The observer's rounds are the better markers as they are found, by any of the searches.
-// Errors: kEmptyMarker when there is no piece; kPieceTooWide for an unplaced piece that fits the strip, and the room
-// that its rules leave (core/marker/rules.h), in no allowed orientation; kMarkerOverlaps and kOutsideStrip when pieces
+// The observer's rounds are the better markers as they are found, by any of the searches: with all pieces, on a strip
+// without an end, also where the cloth ends before some of them.
+// Errors: kEmptyMarker when there is no piece; kPieceTooWide for a piece that fits the strip, and the room that its
+// rules leave (core/marker/rules.h), in no allowed orientation; kMarkerOverlaps and kOutsideStrip when pieces
 // that must stay in place do not lie validly; those of start::first_layout, which without rules occur only where pieces
 // would reach beyond the lattice.
 [[nodiscard]] Result<Nesting> nest(const Marker& start, const NestSettings& settings, const scene::Run& run);

@@ -52,7 +52,9 @@ struct NestTuning {
   bool walks{true}, attempts{true};        // of searches that have stalled
   std::optional<int> compaction_rounds{};  // of every marker that is found; nothing: as accuracy `standard`
   std::size_t most_pieces{2'000};          // larger sets are nested in batches
-  // Of the sampled maps of a search, and of all searches that run at the same time; fields take up to an eighth more.
+  // Of the sampled maps of a search, and of all searches that run at the same time; fields that are kept take up to an
+  // eighth more.  Besides, a search has 8 bytes for each pair of pieces, and 20 MB at most for the field of a piece
+  // that is inserted (local_search/mover.cpp).
   std::size_t map_bytes{std::size_t{192} << 20}, all_map_bytes{std::size_t{768} << 20};
   local_search::SearchTuning search{};
   filling::FillTuning fill{};

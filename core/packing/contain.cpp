@@ -6,8 +6,8 @@
 
 #include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
+#include "core/marker/validity.h"
 #include "core/model/ties.h"
-#include "core/nesting/start/fixed_pieces.h"
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/on_cloth.h"
 #include "core/packing/bodies/place_leaf.h"
@@ -71,7 +71,7 @@ std::optional<Error> defect_of_staying(const Marker& start, std::span<const Piec
   std::erase_if(placed, [&](const PieceId id) { return id.value >= start.pieces.size(); });
   std::vector<bool> staying = with_groups(start, placed);
   staying.flip();
-  return nesting::start::defect_of_fixed(start, staying);
+  return marker::defect_of_fixed(start, staying);
 }
 
 Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,

@@ -72,7 +72,7 @@ class Packer {
     double area = 0;
     Coord fixed_end = 0;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
-      if (!pieces.is_zone(piece)) area += static_cast<double>(doubled_area(pieces[piece].vertices)) / 2;
+      if (!pieces.is_zone(piece)) area += geometry::area_of(pieces[piece].vertices);
       // Of an incomplete set, pieces are missing that can move.
       if (bodies.complete && !moves[piece]) fixed_end = std::max(fixed_end, pieces.end_of(piece));
     }

@@ -181,11 +181,6 @@ Polygon scaled(Polygon polygon, Coord factor) {
   return polygon;
 }
 
-Polygon moved(Polygon polygon, Vec by) {
-  for (Vec& v : polygon) v = v + by;
-  return polygon;
-}
-
 std::string text_of(const Polygon& polygon) {
   std::string text;
   for (const Vec v : polygon) {

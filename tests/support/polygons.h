@@ -32,7 +32,6 @@ namespace selvage::test {
 [[nodiscard]] Polygon random_polygon(Random& random, Coord extent);
 
 [[nodiscard]] Polygon scaled(Polygon polygon, Coord factor);
-[[nodiscard]] Polygon moved(Polygon polygon, Vec by);
 // C++ source text such as "{0,0}, {4,0}, {0,3}", which can be pasted into a test.
 [[nodiscard]] std::string text_of(const Polygon& polygon);
 

@@ -154,7 +154,7 @@ bool Rounds::is_hopeless(int rounds) const {
 
 bool Rounds::is_small(std::uint32_t piece) const {
   const Shape& shape = scene_.marker.shapes[scene_.marker.pieces[piece].shape.value];
-  return static_cast<double>(doubled_area(shape.outline)) / 2 <= settings_.small;
+  return geometry::area_of(shape.outline) <= settings_.small;
 }
 
 Coord Rounds::excess() const {

@@ -2,8 +2,8 @@
 // one batch after another is nested to the right of those before.
 //
 // The pieces at the right end of what lies already take part in the next batch as locked ones, and the batch stays to
-// the right of a line that no other piece crosses.  So batches reach into each other, no work grows faster than the
-// number of pieces, and what is valid with its neighbours is valid with all pieces.
+// the right of a line that no other piece crosses.  So batches reach into each other, the searches grow with the number
+// of pieces, and what is valid with its neighbours is valid with all pieces.
 // Units: lattice units.
 #pragma once
 

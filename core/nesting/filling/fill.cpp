@@ -18,6 +18,12 @@ using layout::Layout;
 
 using Pieces = std::vector<std::uint32_t>;
 
+// A piece that is left over may come onto the strip in place of any of so many others.
+struct Swaps {
+  std::size_t in{};
+  std::size_t number{};
+};
+
 // A piece comes onto the strip, to where it overlaps least or to the place of another one, which comes off.
 struct Trial {
   std::size_t in{};
@@ -41,6 +47,8 @@ class Filler {
       }
     }
     apart_ = 3 * widest + 1;
+    const double end = static_cast<double>(last_) / set_.lattice_units;
+    for (const layout::Kind& kind : set.kinds) fits_.push_back(kind.fits_before(end));
   }
 
   Filling filled() {
@@ -138,30 +146,53 @@ class Filler {
   // A trial that the area allows and that may raise the value; pieces of one kind and value count once.
   [[nodiscard]] std::optional<Trial> drawn() {
     const double room = room_besides(best_.lies);
-    std::vector<Trial> additions, swaps, wedgings;
+    std::vector<std::size_t> additions, wedgings;
+    std::vector<Swaps> swaps;
+    std::size_t all_swaps = 0;
     std::set<std::pair<std::uint32_t, double>> seen;
     for (std::size_t in = 0; in < set_.size(); ++in) {
       const double value = settings_.values[in];
-      if (best_.lies[in] || value <= 0 || !seen.emplace(set_.kind_of[in], value).second) continue;
+      if (best_.lies[in] || value <= 0 || !fits_[set_.kind_of[in]]) continue;
+      if (!seen.emplace(set_.kind_of[in], value).second) continue;
       const double area = set_.kind(in).area;
-      if (area <= room) additions.push_back({in});
-      const std::size_t before = swaps.size();
+      if (area <= room) additions.push_back(in);
+      Swaps own{in};
       bool above_any = false;
       for (std::size_t out = 0; out < set_.size(); ++out) {
-        if (!best_.lies[out] || set_.fixed[out] || settings_.values[out] >= value) continue;
+        if (!is_worth_less(out, in)) continue;
         above_any = true;
-        if (area - set_.kind(out).area <= room) swaps.push_back({in, out});
+        if (leaves_room(out, in, room)) ++own.number;
       }
-      if (above_any && (area > room || swaps.size() > before)) wedgings.push_back({in});
+      if (own.number > 0) swaps.push_back(own);
+      all_swaps += own.number;
+      if (above_any && (area > room || own.number > 0)) wedgings.push_back(in);
     }
     if (search_.dice().unit() < settings_.tuning.added && !additions.empty()) return one_of(additions);
-    if (search_.dice().unit() < settings_.tuning.swapped && !swaps.empty()) return one_of(swaps);
-    for (const auto* trials : {&wedgings, &swaps, &additions}) {
-      if (!trials->empty()) return one_of(*trials);
-    }
+    if (search_.dice().unit() < settings_.tuning.swapped && all_swaps > 0) return one_of(swaps, all_swaps, room);
+    if (!wedgings.empty()) return one_of(wedgings);
+    if (all_swaps > 0) return one_of(swaps, all_swaps, room);
+    if (!additions.empty()) return one_of(additions);
     return std::nullopt;
   }
-  [[nodiscard]] Trial one_of(const std::vector<Trial>& trials) { return trials[search_.dice().below(trials.size())]; }
+  [[nodiscard]] bool is_worth_less(std::size_t out, std::size_t in) const {
+    return best_.lies[out] && !set_.fixed[out] && settings_.values[out] < settings_.values[in];
+  }
+  [[nodiscard]] bool leaves_room(std::size_t out, std::size_t in, double room) const {
+    return set_.kind(in).area - set_.kind(out).area <= room;
+  }
+  [[nodiscard]] Trial one_of(const std::vector<std::size_t>& pieces) {
+    return {pieces[search_.dice().below(pieces.size())]};
+  }
+  // Every swap is equally likely.
+  [[nodiscard]] Trial one_of(const std::vector<Swaps>& swaps, std::size_t number, double room) {
+    std::size_t k = search_.dice().below(number);
+    auto of = swaps.begin();
+    for (; k >= of->number; ++of) k -= of->number;
+    std::size_t out = 0;
+    for (;; ++out) {
+      if (is_worth_less(out, of->in) && leaves_room(out, of->in, room) && k-- == 0) return {of->in, out};
+    }
+  }
 
   void attempt(const Trial& trial) {
     Layout layout = best_layout();
@@ -207,7 +238,8 @@ class Filler {
   Filling best_;
   local_search::GuidedSearch search_;
   Coord last_;
-  double apart_{};  // between parked pieces
+  double apart_{};          // between parked pieces
+  std::vector<bool> fits_;  // by kind: some orientation fits the strip
 };
 
 }  // namespace
@@ -219,6 +251,10 @@ double value_of(const std::vector<bool>& lies, const std::vector<double>& values
 }
 
 Filling fill(Filling start, const layout::PieceSet& set, const FillSettings& settings, const scene::Run& run) {
+  if (settings.over(0)) {  // without a search to prepare
+    start.value = value_of(start.lies, settings.values);
+    return start;
+  }
   return Filler{std::move(start), set, settings, run}.filled();
 }
 

@@ -118,7 +118,7 @@ class Builder {
               .matched = matched(piece.rules),
               .zone = piece.rules.zone,
               .turned = {},
-              .area = static_cast<double>(doubled_area(shape.outline)) / 2 / square,
+              .area = geometry::area_of(shape.outline) / square,
               .hull_area = doubled_hull_area(shape.outline) / 2 / square};
     for (const Orientation& orientation : keeps_orientation ? std::vector{piece.orientation} : orientations_of(shape)) {
       Piece as_turned = piece;
@@ -193,6 +193,12 @@ class Builder {
 // Deeper than any two pieces overlap: no depth remains.
 constexpr double kAnyOverlap = 1e9;
 
+bool Kind::fits_before(double end) const {
+  return std::any_of(turned.begin(), turned.end(), [end](const Turned& one) {
+    return one.box.width() <= std::min(end, one.room.high_x) - one.room.low_x;
+  });
+}
+
 double PieceSet::clearance(std::uint32_t first, std::uint32_t second) const {
   const BaseOutline& p = outlines[first];
   const BaseOutline& q = outlines[second];
@@ -221,19 +227,23 @@ double PieceSet::across() const {
 
 Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums) {
   Builder builder{marker, sums};
-  for (const Piece& piece : marker.pieces) {
-    const bool held = piece.locked.x || piece.locked.y || !piece.group.empty();
-    // A piece that fits the strip only because it is tilted stays where it is.
-    if (!builder.add(piece, held || placed == PlacedPiecesMay::kNotMove)) (void)builder.add(piece, true);
-  }
-  for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
-    const Piece& piece = marker.unplaced[k];
-    if (builder.add(piece, false)) continue;
+  const auto too_wide = [&marker](const Piece& piece, const std::string& field) {
     return Error{ErrorCode::kPieceTooWide,
                  "shape \"" + marker.shapes[piece.shape.value].id + "\" is wider than " +
                      (piece.rules == marker::Rules{} ? "the strip" : "the room that its rules leave") +
                      " in every orientation that is allowed",
-                 "/unplaced/" + std::to_string(k)};
+                 field};
+  };
+  for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
+    const Piece& piece = marker.pieces[k];
+    const bool held = piece.locked.x || piece.locked.y || !piece.group.empty();
+    if (builder.add(piece, held || placed == PlacedPiecesMay::kNotMove)) continue;
+    // A piece that fits the strip only because it is tilted stays where it is.
+    if (!builder.add(piece, true)) return too_wide(piece, "/pieces/" + std::to_string(k));
+  }
+  for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
+    const Piece& piece = marker.unplaced[k];
+    if (!builder.add(piece, false)) return too_wide(piece, "/unplaced/" + std::to_string(k));
   }
   return builder.take();
 }

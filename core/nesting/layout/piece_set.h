@@ -46,6 +46,9 @@ struct Kind {
   bool zone{};                 // not a piece but a part of the cloth that none may cover (core/marker/rules.h)
   std::vector<Turned> turned;  // at least one
   double area{}, hull_area{};  // of the outline and of its convex hull
+
+  // Whether its pieces fit a strip that ends there, each alone, in some orientation.
+  [[nodiscard]] bool fits_before(double end) const;
 };
 
 // Pieces that lie within a length of each other (core/marker/rules.h).
@@ -95,8 +98,8 @@ enum class PlacedPiecesMay { kMove, kNotMove };
 inline constexpr int kFreeRotations = 16;
 
 // Placed pieces that are locked on an axis or belong to a group stay where they are.
-// Errors: kPieceTooWide for an unplaced piece that fits the strip, and the room that its rules leave, in no allowed
-// orientation.
+// Errors: kPieceTooWide for a piece that fits the strip, and the room that its rules leave, neither in an allowed
+// orientation nor, if it is placed, in its own.
 [[nodiscard]] Result<PieceSet> piece_set_of(const Marker& marker, PlacedPiecesMay placed, SumCache& sums);
 
 }  // namespace selvage::nesting::layout

@@ -10,6 +10,10 @@
 namespace selvage::nesting::local_search {
 namespace {
 
+// The field of a longer room would take too much memory, so the room is looked through a part at a time.
+constexpr double kLongestField = 20'000;
+constexpr double kCovered = 0.6;  // part of its reach that a field covers in any case (field.h)
+
 // The part of the room that is within reach of the place.  A place outside the room counts as the nearest one in it.
 RealBox around(const layout::Place& place, double reach, const RealBox& room) {
   const double x = std::max(room.low_x, std::min(place.x, room.high_x));
@@ -71,7 +75,7 @@ void Mover::collect(const layout::Layout& layout, std::size_t piece) {
 
 bool Mover::looks_at(const layout::Layout& layout, std::size_t piece, std::uint32_t turn) {
   const std::size_t turns = set_->kind(piece).turned.size();
-  if (set_->size() * turns < tuning_.dear_fields || turns <= 2 || turn == layout.places[piece].turn) return true;
+  if (set_->size() * turns < tuning_.costly_fields || turns <= 2 || turn == layout.places[piece].turn) return true;
   return dice_->below(turns - 1) == 0;
 }
 
@@ -127,16 +131,34 @@ fields::Candidate Mover::exact(const layout::Layout& layout, std::size_t piece, 
   return {static_cast<float>(found.loss), {found.at.x, found.at.y, from.turn}};
 }
 
+std::optional<layout::Place> Mover::leftmost_free(layout::Layout& layout, std::size_t piece, std::uint32_t turn,
+                                                  double last) {
+  const RealBox room = inner_fit(*set_, layout, piece, turn);
+  if (room.width() <= kLongestField) {
+    return strip_.compute(layout, piece, turn, weights_) ? strip_.leftmost_free() : std::nullopt;
+  }
+  constexpr double kReach = kLongestField / 2;
+  constexpr double kHalf = kCovered * kReach;
+  const layout::Place from = layout.places[piece];
+  std::optional<layout::Place> free;
+  for (double begin = room.low_x; !free && begin <= std::min(last, room.high_x); begin += 2 * kHalf) {
+    layout.places[piece].x = begin + kHalf;
+    if (strip_.compute(layout, piece, turn, weights_, kReach)) free = strip_.leftmost_free();
+  }
+  layout.places[piece] = from;
+  return free;
+}
+
 bool Mover::insert(layout::Layout& layout, std::size_t piece, const std::vector<std::uint32_t>& others) {
   std::fill(weights_.begin(), weights_.end(), 0.0F);
   for (const std::uint32_t other : others) weights_[other] = 1;
   std::optional<layout::Place> best;
   double leftmost = std::numeric_limits<double>::max();
   for (std::uint32_t turn = 0; turn < set_->kind(piece).turned.size(); ++turn) {
-    if (!strip_.compute(layout, piece, turn, weights_)) continue;
-    const auto place = strip_.leftmost_free();
+    const double high = set_->kind(piece).turned[turn].box.high_x;
+    const auto place = leftmost_free(layout, piece, turn, leftmost - high);
     if (!place) continue;
-    const double right = place->x + set_->kind(piece).turned[turn].box.high_x;
+    const double right = place->x + high;
     if (right >= leftmost) continue;
     leftmost = right;
     best = place;

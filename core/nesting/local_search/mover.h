@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/nesting/fields/kept_fields.h"
@@ -29,8 +30,12 @@ class Mover {
 
   // The positions that the piece may take from there without changing to another repeat of the cloth.
   [[nodiscard]] RealBox room_about(const layout::Layout& layout, std::size_t piece, const layout::Place& place) const;
+  // The leftmost position that overlaps nothing, among those up to `last`; nothing when there is none.  The layout is
+  // the same afterwards.
+  [[nodiscard]] std::optional<layout::Place> leftmost_free(layout::Layout& layout, std::size_t piece,
+                                                           std::uint32_t turn, double last);
   void collect(const layout::Layout& layout, std::size_t piece);
-  // Whether a move looks at this orientation: where fields are dear, always at the present one and at one other on
+  // Whether a move looks at this orientation: where fields are expensive, always at the present one and at one other on
   // average.
   [[nodiscard]] bool looks_at(const layout::Layout& layout, std::size_t piece, std::uint32_t turn);
   void pick();

@@ -15,7 +15,7 @@ struct SearchTuning {
   // Widths: in a longer layout, bold attempts shorten one stretch of this length, and a move looks no farther than half
   // of it to either side.
   double stretch{6};
-  std::size_t dear_fields{300};  // with this many pieces times orientations or more, a move skips most orientations
+  std::size_t costly_fields{300};  // with this many pieces times orientations or more, a move skips most orientations
   // Descents, in pixels except the limits of exact ones: from, and down to, steps of this size.
   double stay_step{0.5}, rough_step{0.7}, fine_step{0.2};
   double rough_limit{0.5}, fine_limit{0.1}, last_step{0.1}, last_limit{0.01};

@@ -23,7 +23,7 @@ class Costs {
   [[nodiscard]] double least_for(double area) const;
 
   // Those that cost least for their area first, of these the largest.
-  [[nodiscard]] const std::vector<std::size_t>& by_price() const { return by_price_; }
+  [[nodiscard]] const std::vector<std::size_t>& by_cost_per_area() const { return by_cost_per_area_; }
   // The cheapest first, of these the smallest.
   [[nodiscard]] const std::vector<std::size_t>& by_cost() const { return by_cost_; }
 
@@ -32,9 +32,11 @@ class Costs {
     double cost{}, area{};
     std::size_t count{};
   };
+  [[nodiscard]] static double cost_per_area(const Kind& kind);  // infinite where holes cover all of the sheet
+
   std::vector<Kind> kinds_;
   bool differ_{};
-  std::vector<std::size_t> by_price_, by_cost_;
+  std::vector<std::size_t> by_cost_per_area_, by_cost_;
 };
 
 }  // namespace selvage::nesting::sheets

@@ -126,7 +126,7 @@ class Driver {
   // Lays pieces that are left over on sheets that are not used; false when none of them finds room.
   bool lay_one_after_another() {
     const std::size_t before = used_.size();
-    for (const std::size_t kind : costs_.by_price()) {
+    for (const std::size_t kind : costs_.by_cost_per_area()) {
       while (used_of_[kind] < sheets_[kind].sheet->count && !left_.empty() && !caller_.stopped()) {
         const double now = spent();
         const double sheets = std::max(1.0, std::ceil(area_of_all(left_) / (kUsual * sheets_[kind].area)));
@@ -177,7 +177,7 @@ class Driver {
     Indices rest = used_[index].pieces;
     std::vector<UsedSheet> several;
     double cost = 0;
-    for (const std::size_t kind : costs_.by_price()) {
+    for (const std::size_t kind : costs_.by_cost_per_area()) {
       const std::size_t free = sheets_[kind].sheet->count - used_of_[kind];
       for (std::size_t k = 0; k < free && !rest.empty() && cost + costs_.of(kind) < costs_.of(used_[index].kind); ++k) {
         if (over()) return;
@@ -207,7 +207,7 @@ class Driver {
   // Whether a piece that is left over fits a sheet that is not used: it was taken off another one, or a filling ended
   // early.
   [[nodiscard]] bool may_lay() const {
-    return std::any_of(costs_.by_price().begin(), costs_.by_price().end(), [this](std::size_t kind) {
+    return std::any_of(costs_.by_cost_per_area().begin(), costs_.by_cost_per_area().end(), [this](std::size_t kind) {
       return used_of_[kind] < sheets_[kind].sheet->count &&
              std::any_of(left_.begin(), left_.end(), [&](std::size_t piece) { return fits(piece, kind); });
     });

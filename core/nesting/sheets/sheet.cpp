@@ -13,11 +13,6 @@ namespace {
 
 using outline::enclosed::Container;
 
-Polygon moved(Polygon polygon, Vec by) {
-  for (Vec& vertex : polygon) vertex = vertex + by;
-  return polygon;
-}
-
 // Adds zones with ids that neither a shape nor a piece of the marker has.
 class ZoneAdder {
  public:

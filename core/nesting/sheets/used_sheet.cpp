@@ -19,12 +19,7 @@ bool fits(const Marker& bare, const Piece& piece, SumCache& sums) {
   alone.pieces.clear();
   alone.unplaced = {piece};
   const auto set = layout::piece_set_of(alone, layout::PlacedPiecesMay::kMove, sums);
-  if (!set) return false;
-  const double end = static_cast<double>(*bare.strip.last()) / set->lattice_units;
-  const auto& turned = set->kind(0).turned;
-  return std::any_of(turned.begin(), turned.end(), [end](const layout::Turned& one) {
-    return one.box.width() <= std::min(end, one.room.high_x) - one.room.low_x;
-  });
+  return set && set->kind(0).fits_before(static_cast<double>(*bare.strip.last()) / set->lattice_units);
 }
 
 // By piece; pieces of one shape without rules are tested once.

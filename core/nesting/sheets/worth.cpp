@@ -15,7 +15,7 @@ Worth worth_of(const Marker& marker, std::span<const Piece> pieces,
                const std::map<std::string, double, std::less<>>& given) {
   Worth worth;
   for (const Piece& piece : pieces) {
-    worth.area.push_back(static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2);
+    worth.area.push_back(geometry::area_of(marker.shapes[piece.shape.value].outline));
   }
   const double largest = pieces.empty() ? 0 : *std::max_element(worth.area.begin(), worth.area.end());
   for (std::size_t k = 0; k < pieces.size(); ++k) {

@@ -28,7 +28,7 @@ class FirstLayout {
       if (auto marker = searched()) return *std::move(marker);
     }
     if (auto marker = proved(shelves_)) return *std::move(marker);
-    if (run_.stopped()) {
+    if (settings_.out_of_time()) {
       return Error{ErrorCode::kStoppedEarly, "stopped before a layout was found in which all pieces keep their rules",
                    ""};
     }
@@ -40,7 +40,7 @@ class FirstLayout {
 
  private:
   std::optional<Marker> searched() {
-    const auto over = [this] { return run_.stopped(); };
+    const auto& over = settings_.out_of_time;
     local_search::GuidedSearch search{set_, settings_.seed, settings_.map_bytes, settings_.search, over};
     layout::Layout layout = to_layout(set_, shelves_);
     search.build(layout, set_.fixed, over);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -23,12 +24,13 @@ struct FirstLayoutSettings {
   std::size_t most_pieces{};  // there is no search for larger sets
   int separation_rounds{};    // when repair cannot remove what the search has left
   local_search::SearchTuning search{};
+  std::function<bool()> out_of_time{};  // whether the caller's time is used up, or it has stopped the run
 };
 
 // `kept` pieces stay where they are when shelves will do; otherwise only the fixed ones do.
 // REQUIRES: those of on_shelves; kept pieces are valid together.
 // Errors: kBeyondLattice as on_shelves; kOutOfRange when no layout was found in which all pieces keep their rules, with
-// the name of a piece that found no room; kStoppedEarly when stopped before.
+// the name of a piece that found no room; kStoppedEarly when stopped before, or late.
 [[nodiscard]] Result<Marker> first_layout(const Marker& start, const layout::PieceSet& set,
                                           const std::vector<bool>& kept, const FirstLayoutSettings& settings,
                                           const scene::Run& run);

@@ -87,7 +87,7 @@ class Line {
 }  // namespace
 
 double free_area(const Polygon& region, std::span<const Polygon> holes) {
-  const double whole = static_cast<double>(doubled_area(region)) / 2;
+  const double whole = geometry::area_of(region);
   if (holes.empty()) return whole;
   std::vector<Edge> edges;
   add_edges(region, 0, edges);

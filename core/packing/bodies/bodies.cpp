@@ -192,8 +192,7 @@ class BodyMaker {
                                has_more_room_across(draft.ranges[v], *box)});
     }
     if (!draft.figures.empty()) {
-      for (const Figure& figure : draft.figures.front())
-        body.area += static_cast<double>(doubled_area(figure.polygon)) / 2;
+      for (const Figure& figure : draft.figures.front()) body.area += geometry::area_of(figure.polygon);
     }
     bodies_.problem.bodies.push_back(std::move(body));
     bodies_.pieces.push_back(draft.pieces);

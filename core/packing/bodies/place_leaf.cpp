@@ -261,6 +261,7 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
   if (attempt(leaf.positions)) return true;
   bool has_any = false;
   for (const ProgramKind kind : {ProgramKind{true, true}, {true, false}, {false, true}, {false, false}}) {
+    if (run.stopped()) return false;
     const auto positions = solved(bodies, leaf, columns, kind);
     if (!positions) continue;
     has_any = true;
@@ -271,13 +272,14 @@ bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freed
   }
   const auto spacing = static_cast<double>(marker::PlacedPieces{marker}.widest_spacing());
   // Without a spacing, the lines are those of the sums: nothing in these wedges is valid where they have no solution.
-  if (!has_any && spacing == 0) return false;
+  if ((!has_any && spacing == 0) || run.stopped()) return false;
   const auto stepwise = one_by_one(bodies, leaf, columns);
   if (stepwise && attempt(*stepwise)) return true;
   // A spacing's rings leave out a little at corners, so its layouts may overlap by more than rounding.
   const auto without_overlaps = spacing == 0 ? std::nullopt : repaired(placed(marker, bodies, leaf), bodies, leaf, run);
   if (without_overlaps && attempt(*without_overlaps)) return true;
   for (const auto& [part, units] : kRooms) {
+    if (run.stopped()) return false;
     const auto positions = with_room(bodies, leaf, columns, part * spacing + units);
     if (positions && attempt(snapped_to_lattice(*positions))) return true;
   }

@@ -12,7 +12,7 @@
 namespace selvage::packing::bodies {
 
 // Moves the leaf's positions to where its layout is valid, as core/marker/clearance.h proves.  False when no rounding
-// of it is.
+// of it is, and when the run is stopped before one is found.
 [[nodiscard]] bool place_leaf(const Marker& marker, const Bodies& bodies, const Freedom& freedom, const scene::Run& run,
                               branching::Leaf& leaf);
 

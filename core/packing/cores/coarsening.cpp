@@ -10,10 +10,6 @@
 namespace selvage::packing::cores {
 namespace {
 
-double area_of(const Polygon& polygon) {
-  return static_cast<double>(doubled_area(polygon)) / 2;
-}
-
 // Pieces that share a core.
 struct Group {
   std::vector<std::uint32_t> pieces;
@@ -37,14 +33,10 @@ bool may_be_turned_back(const std::vector<Symmetry>& turns, Symmetry by) {
       turns, [&](Symmetry turn) { return std::ranges::find(turns, turn.after(by.inverse())) != turns.end(); });
 }
 
-Polygon moved(Polygon polygon, Vec by) {
-  for (Vec& corner : polygon) corner = corner + by;
-  return polygon;
-}
-
 class Coarsener {
  public:
-  Coarsener(const Marker& marker, const std::vector<bool>& moving, bool turns) : marker_{marker} {
+  Coarsener(const Marker& marker, const std::vector<bool>& moving, bool turns, const std::stop_token& stop)
+      : marker_{marker}, stop_{stop} {
     for (std::uint32_t piece = 0; piece < marker.pieces.size(); ++piece) {
       if (moving[piece]) add(piece, turns);
     }
@@ -52,7 +44,9 @@ class Coarsener {
 
   // Gives pieces cores that have this share.
   void coarsen(double share) {
-    for (auto& [number, group] : groups_) leave_turns_out(group, share);
+    for (auto& [number, group] : groups_) {
+      if (!stop_.stop_requested()) leave_turns_out(group, share);
+    }
     while (const auto best = best_step(share)) take(*best, share);
   }
 
@@ -135,6 +129,7 @@ class Coarsener {
     for (const auto& [a, first] : groups_) {
       for (const auto& [b, second] : groups_) {
         if (b <= a) continue;
+        if (stop_.stop_requested()) return std::nullopt;
         const Pair pair{a, b};
         const auto known = steps_.try_emplace(pair).first;
         if (!known->second) known->second = together(first, second, share);
@@ -183,6 +178,7 @@ class Coarsener {
   static constexpr double kNearly = 0.99;  // what may be missing from a share, because areas are estimates
 
   const Marker& marker_;
+  const std::stop_token& stop_;
   std::uint32_t next_{};
   std::map<std::uint32_t, Group> groups_;
   std::map<Pair, std::optional<Step>> steps_;  // that are known
@@ -190,10 +186,11 @@ class Coarsener {
 
 }  // namespace
 
-std::optional<Marker> coarsened(const Marker& marker, const std::vector<bool>& moving, bool turns, double share) {
-  Coarsener coarsener{marker, moving, turns};
+std::optional<Marker> coarsened(const Marker& marker, const std::vector<bool>& moving, bool turns, double share,
+                                const std::stop_token& stop) {
+  Coarsener coarsener{marker, moving, turns, stop};
   coarsener.coarsen(share);
-  return coarsener.changes() ? std::optional{coarsener.marker()} : std::nullopt;
+  return coarsener.changes() && !stop.stop_requested() ? std::optional{coarsener.marker()} : std::nullopt;
 }
 
 }  // namespace selvage::packing::cores

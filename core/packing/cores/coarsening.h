@@ -11,6 +11,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/marker/marker.h"
@@ -19,8 +20,8 @@ namespace selvage::packing::cores {
 
 // The marker with cores instead of pieces that may move, as many as have at least this share of the area of the largest
 // piece that they lie in: first of all orientations of one piece, then of several pieces.  Nothing when there are none.
-// Without `turns`, pieces keep their orientations.
+// Without `turns`, pieces keep their orientations.  Nothing, too, when stopped, which is asked for each pair of pieces.
 [[nodiscard]] std::optional<Marker> coarsened(const Marker& marker, const std::vector<bool>& moving, bool turns,
-                                              double share);
+                                              double share, const std::stop_token& stop = {});
 
 }  // namespace selvage::packing::cores

@@ -39,8 +39,8 @@ Refutation::Refutation(const Marker& marker, const bodies::Freedom& freedom, con
     : marker_{marker}, freedom_{freedom}, tuning_{tuning}, run_{run}, on_cores_{std::move(on_cores)} {}
 
 bool Refutation::begin() {
-  while (next_share_ < kShares.size()) {
-    auto cores = coarsened(marker_, freedom_.moving, freedom_.turns, kShares[next_share_++]);
+  while (next_share_ < kShares.size() && !run_.stopped()) {
+    auto cores = coarsened(marker_, freedom_.moving, freedom_.turns, kShares[next_share_++], run_.stop);
     if (!cores || cores == cores_) continue;
     cores_ = std::move(cores);
     level_.emplace(*cores_, *this);

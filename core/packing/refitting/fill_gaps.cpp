@@ -25,8 +25,17 @@ motion::compaction::CompactionSettings whole_compaction() {
   return settings;
 }
 
+// A sequence keeps only the low half of each number.
+std::mt19937_64 random_of(std::uint64_t seed, std::uint64_t trial) {
+  constexpr int kHalf = 32;
+  std::vector<std::uint64_t> numbers{seed, trial};
+  if (seed >> kHalf != 0) numbers.push_back(seed >> kHalf);
+  std::seed_seq sequence(numbers.begin(), numbers.end());
+  return std::mt19937_64{sequence};
+}
+
 double area_of(const Marker& marker, const Piece& piece) {
-  return static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2;
+  return geometry::area_of(marker.shapes[piece.shape.value].outline);
 }
 
 class GapFiller {
@@ -142,8 +151,7 @@ class GapFiller {
     Tried outcome;
     const Coord length = length_of(best);
     const double least = settings_.tuning.least_gain * static_cast<double>(best.strip.width);
-    std::seed_seq seed{settings_.seed, number};
-    std::mt19937_64 random{seed};
+    std::mt19937_64 random = random_of(settings_.seed, number);
     const TakenOut out = taken_out(best, drawn(best, random));
     const auto closed = compact(out.rest, whole_compaction(), run);
     if (!closed) return outcome;

@@ -34,7 +34,7 @@ Relaxation relaxation_of(const orders::Problem& problem, const Lengths& lengths,
 }
 
 // The cutting of single bundles that delivers the least; none when a size that is ordered has no such candidate.  It is
-// dear, but it always exists where single bundles fit the table, so that no search is left without a cutting.
+// expensive, but it always exists where single bundles fit the table, so that no search is left without a cutting.
 std::optional<Cutting> of_single_bundles(const orders::Problem& problem, const std::vector<Candidate>& candidates) {
   Cutting cutting;
   const int unit = problem.plies_of_unit();

@@ -66,7 +66,7 @@ orders::Size measured(const Garments& garments, std::size_t size, std::string na
   orders::Size one{std::move(name), 0, 0};
   for (const std::size_t position : garments.sizes[size]) {
     const Polygon& outline = garments.style.shapes[piece_at(garments.style, position).shape.value].outline;
-    one.area += static_cast<double>(geometry::doubled_area(outline)) / 2 * unit * unit;
+    one.area += geometry::area_of(outline) * unit * unit;
     one.perimeter += perimeter_of(outline) * unit;
   }
   return one;

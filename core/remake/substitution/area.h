@@ -6,7 +6,7 @@
 namespace selvage::remake::substitution {
 
 [[nodiscard]] inline double area_of(const Marker& marker, const Piece& piece) {
-  return static_cast<double>(doubled_area(marker.shapes[piece.shape.value].outline)) / 2;
+  return geometry::area_of(marker.shapes[piece.shape.value].outline);
 }
 [[nodiscard]] inline double placed_area(const Marker& marker) {
   double area = 0;

@@ -44,7 +44,7 @@ std::optional<Arrangement> arrangement_of(const matching::LabelledMarker& labell
     slot.label = label_of(labelled, k);
     for (Polygon* outline : {&slot.outline, &slot.untilted}) *outline = scaled(std::move(*outline));
     if (doubled_area(slot.outline) <= 0) continue;  // nothing is left of it on a coarse lattice
-    arrangement.area += static_cast<double>(doubled_area(slot.outline)) / 2;
+    arrangement.area += geometry::area_of(slot.outline);
     arrangement.slots.push_back(std::move(slot));
   }
   return arrangement;

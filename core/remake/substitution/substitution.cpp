@@ -124,7 +124,7 @@ class Substituting {
     const Seated& b = seats_[second];
     const Fit into_b = best_fit(a.piece, b.slot);
     const Fit into_a = best_fit(b.piece, a.slot);
-    const auto area = static_cast<double>(doubled_area(a.placed)) / 2 + static_cast<double>(doubled_area(b.placed)) / 2;
+    const auto area = geometry::area_of(a.placed) + geometry::area_of(b.placed);
     if (into_a.difference + into_b.difference > tuning_.swap_price * area) return std::nullopt;
     if (!fits_strip(shape_of(a.piece), into_b.orientation) || !fits_strip(shape_of(b.piece), into_a.orientation)) {
       return std::nullopt;

@@ -73,7 +73,7 @@ double utilisation_of(const selvage::nesting::sheets::SheetLayout& layout) {
   double area = 0;
   for (const Piece& piece : marker.pieces) {
     const Shape& shape = marker.shapes[piece.shape.value];
-    if (!piece.rules.zone) area += static_cast<double>(doubled_area(shape.outline)) / 2;
+    if (!piece.rules.zone) area += geometry::area_of(shape.outline);
   }
   return area / layout.area;
 }

@@ -142,7 +142,7 @@ TEST(Pairing, OfShapesThatContradictTheirNamesIsDecidedByTheShapes) {
   const LabelledMarker marker = named(test::garment("jeans_02g"));
   LabelledMarker order = marker;
   const auto area = [&](const Piece& piece) {
-    return static_cast<double>(doubled_area(marker.marker.shapes[piece.shape.value].outline)) / 2;
+    return geometry::area_of(marker.marker.shapes[piece.shape.value].outline);
   };
   std::ranges::stable_sort(order.marker.pieces, std::ranges::greater{}, area);
   order.labels = named(order.marker).labels;

@@ -109,6 +109,18 @@ TEST(Nest, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+TEST(Nest, IsTheSameWhateverTheCacheHolds) {
+  Random random{17};
+  for (int trial = 0; trial < 4; ++trial) {
+    const Marker marker = test::taken_off(test::random_marker(random));
+    SumCache sums;
+    const auto first = nest(marker, settings_of(300), {sums});
+    const auto again = nest(marker, settings_of(300), {sums});
+    ASSERT_TRUE(first && again);
+    EXPECT_EQ(again->marker, first->marker) << "trial " << trial;
+  }
+}
+
 TEST(Nest, IsNeverLongerThanAValidInput) {
   Random random{4};
   for (int trial = 0; trial < 20 / test::kSlowdown; ++trial) {
@@ -389,6 +401,17 @@ TEST(Nest, PiecesAreTiltedWithinTheirLimitsAtTheEnd) {
       EXPECT_EQ(piece.orientation.tilt, Angle{});
     }
   }
+}
+
+TEST(Nest, FindsRoomBeforeAPieceThatIsLockedFarAway) {
+  Marker marker = unplaced_pieces({rectangle(15'000, 15'000)}, 12, kWidth);
+  marker.pieces = {marker.unplaced.back()};
+  marker.unplaced.pop_back();
+  marker.pieces[0].at = {1'000'000 * kWidth, 0};
+  marker.pieces[0].locked = true;
+  const Nesting nesting = nested(marker, settings_of(100));
+  EXPECT_TRUE(is_valid(nesting.marker));
+  for (std::size_t i = 1; i < nesting.marker.pieces.size(); ++i) EXPECT_LT(nesting.marker.pieces[i].at.x, kWidth);
 }
 
 TEST(Nest, FromScratchIgnoresTheInputPositions) {

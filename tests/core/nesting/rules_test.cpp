@@ -158,6 +158,47 @@ TEST(RulesInNesting, MatchSetsKeepThePhaseOfAPlacedPieceWhenOthersDoNotFitAsThey
   EXPECT_EQ(done->marker.pieces.size(), 4u);
 }
 
+TEST(RulesInNesting, APlacedPieceThatItsMatchSetLeavesNoRoomIsNamed) {
+  // The locked piece has the set begin repeats at a height where the large one would leave the strip.
+  Marker marker = unplaced_pieces({rectangle(kSide, kSide), rectangle(kSide, 9 * kSide)}, 2, kWidth);
+  marker.strip.repeat = {.along = 0, .across = kWidth / 2, .phase = {}};
+  for (Shape& shape : marker.shapes) shape.rotations = {{0}};
+  marker.pieces = std::move(marker.unplaced);
+  marker.unplaced.clear();
+  for (Piece& piece : marker.pieces) {
+    piece.rules.match = Vec{};
+    piece.rules.match_set = "A";
+  }
+  marker.pieces[0].at = {0, kWidth / 4};
+  marker.pieces[0].locked = true;
+  marker.pieces[1].at = {3 * kSide, 0};
+  const auto refused = nested(marker, 100);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::kPieceTooWide);
+  EXPECT_EQ(refused.error().field, "/pieces/1");
+}
+
+TEST(RulesInNesting, ReportedMarkersHaveTheRulesThatWereGiven) {
+  Marker marker = squares(6);
+  marker.strip.repeat = {.along = 7 * kSide / 2, .phase = {12'345, 321}};
+  for (Piece& piece : marker.unplaced) {
+    piece.rules.match = Vec{kSide, kSide / 3};
+    piece.rules.match_set = "A";
+  }
+  SumCache sums;
+  scene::Run run{sums};
+  int reported = 0;
+  run.observer.on_round = [&](const scene::Round& round) {
+    ASSERT_TRUE(round.marker);
+    for (const Piece& piece : round.marker->pieces) EXPECT_EQ(piece.rules, marker.unplaced[0].rules);
+    ++reported;
+  };
+  NestSettings settings;
+  settings.moves = 500;
+  ASSERT_TRUE(nest(marker, settings, run));
+  EXPECT_GT(reported, 0);
+}
+
 TEST(RulesInNesting, PiecesWithANapLieInItsDirection) {
   Marker marker = unplaced_pieces({{{0, 0}, {4 * kSide, 0}, {2 * kSide, 2 * kSide}, {0, kSide}}}, 8, kWidth);
   const auto nap_of = [](std::size_t i) { return i % 2 == 0 ? marker::Nap::kUp : marker::Nap::kDown; };

@@ -8,7 +8,6 @@
 #include "core/marker/placed_pieces.h"
 #include "core/marker/validity.h"
 #include "core/nesting/sheets/nest_on_sheets.h"
-#include "protocol/execution/thread_pool.h"
 #include "tests/core/nesting/unplaced_pieces.h"
 #include "tests/laws/random_marker.h"
 
@@ -102,6 +101,23 @@ TEST(Sheets, EveryPieceLiesOnAValidSheetOrIsLeftOver) {
   }
 }
 
+TEST(Sheets, AreTheSameWhateverTheCacheHolds) {
+  const Marker marker =
+      unplaced_pieces({rectangle(300'000, 200'000), {{0, 0}, {400'000, 0}, {0, 250'000}}}, 30, kWidth);
+  const std::vector<Sheet> sheets{plain_sheet(kWidth, kWidth, 2), plain_sheet(500'000, 700'000, 3)};
+  SumCache sums;
+  const SheetSettings settings{.moves = 1'000, .seed = 3};
+  const auto first = nest_on_sheets(marker, sheets, settings, {sums});
+  const auto again = nest_on_sheets(marker, sheets, settings, {sums});
+  ASSERT_TRUE(first && again);
+  ASSERT_EQ(first->layouts.size(), again->layouts.size());
+  for (std::size_t k = 0; k < first->layouts.size(); ++k) {
+    EXPECT_EQ(first->layouts[k].sheet, again->layouts[k].sheet);
+    EXPECT_EQ(first->layouts[k].marker, again->layouts[k].marker);
+  }
+  EXPECT_EQ(first->left_over, again->left_over);
+}
+
 TEST(Sheets, FillsTheSheetsThatSquaresFillCompletely) {
   const Marker marker = unplaced_pieces({rectangle(250'000, 250'000)}, 32, kWidth);
   const SheetNesting nesting = laid(marker, {plain_sheet(kWidth, kWidth, 5)}, 5'000);
@@ -138,6 +154,15 @@ TEST(Sheets, RemnantsThatCostNothingAreUsedFirst) {
   EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{0, 1, 1}));
   sheets[0].cost = 0;  // nothing costs anything: as few as possible
   EXPECT_EQ(kinds_of(laid(marker, sheets, 2'000)), (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(Sheets, ASheetWithoutRoomDoesNotDisturbTheOrderOfTheOthers) {
+  const Marker marker = unplaced_pieces({rectangle(480'000, 480'000)}, 4, kWidth);
+  std::vector<Sheet> sheets{plain_sheet(kWidth, kWidth), plain_sheet(kWidth, kWidth), plain_sheet(kWidth, kWidth)};
+  sheets[0].cost = 2;
+  sheets[1].cost = 0;
+  sheets[1].zones = {{rectangle(kWidth, kWidth)}};
+  EXPECT_EQ(kinds_of(laid(marker, sheets, 500)), (std::vector<std::size_t>{2}));
 }
 
 TEST(Sheets, SeveralTakeThePlaceOfOneThatCostsMore) {
@@ -290,6 +315,7 @@ TEST(Sheets, WithZonesHavePiecesEvenWithoutABudget) {
 // Pieces that were taken off one sheet to make room for another piece go to a free one.
 TEST(Sheets, WhatIsLeftOverFitsNoFreeSheet) {
   Random random{23};
+  int tested = 0;  // trials in which a piece was left over, and a sheet
   for (int trial = 0; trial < 20 / test::kSlowdown; ++trial) {
     const auto side = [&] { return random.between(50'000, 500'000); };
     std::vector<Polygon> outlines;
@@ -302,12 +328,14 @@ TEST(Sheets, WhatIsLeftOverFitsNoFreeSheet) {
     for (const SheetLayout& layout : nesting.layouts) ++used[layout.sheet];
     for (std::size_t kind = 0; kind < sheets.size(); ++kind) {
       if (used[kind] == sheets[kind].count) continue;
+      tested += nesting.left_over.empty() ? 0 : 1;
       for (const Piece& piece : nesting.left_over) {
         const Box box = box_of(marker.shapes[piece.shape.value].outline);
         EXPECT_TRUE(box.width() > sheets[kind].length || box.height() > sheets[kind].width) << "trial " << trial;
       }
     }
   }
+  EXPECT_GT(tested, 0);
 }
 
 TEST(Sheets, PiecesThatFitNoSheetDoNotHideThoseThatDo) {

@@ -12,11 +12,6 @@
 namespace selvage::outline::enclosed {
 namespace {
 
-Polygon moved(Polygon polygon, Vec by) {
-  for (Vec& vertex : polygon) vertex = vertex + by;
-  return polygon;
-}
-
 TEST(FreeArea, IsThatOfTheRegionWithoutHoles) {
   const Polygon triangle{{0, 0}, {10, 0}, {0, 10}};
   EXPECT_EQ(free_area(triangle, {}), 50);

@@ -24,7 +24,7 @@ Polygon normal(Polygon polygon) {
   return polygon;
 }
 double area(const Polygon& polygon) {
-  return static_cast<double>(doubled_area(polygon)) / 2;
+  return geometry::area_of(polygon);
 }
 
 TEST(Slit, JoinsAHoleToTheOutside) {

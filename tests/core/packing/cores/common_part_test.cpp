@@ -9,11 +9,6 @@
 namespace selvage::packing::cores {
 namespace {
 
-Polygon moved(Polygon polygon, Vec by) {
-  for (Vec& corner : polygon) corner = corner + by;
-  return polygon;
-}
-
 const Polygon kL{{0, 0}, {100, 0}, {100, 40}, {40, 40}, {40, 100}, {0, 100}};
 
 TEST(LiesWithin, MayTouchTheBorder) {
