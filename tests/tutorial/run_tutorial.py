@@ -10,7 +10,6 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,7 +42,7 @@ def main():
         raise SystemExit(f"the tutorial has only {len(python)} Python and {len(shell)} shell blocks")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        shutil.copy(ROOT / "examples" / "markers" / "jeans_02g.json", folder / "jeans.json")
+        (folder / "examples").symlink_to(ROOT / "examples")  # the shell blocks run in the folder of the repository
         daemon, port = start(selvaged, folder)
         try:
             own = f"127.0.0.1:{port}"
@@ -51,7 +50,6 @@ def main():
             for block in python:
                 block = block.replace(ADDRESS, own).replace("    width=100,\n", f'    width=100,\n    address="{own}",\n')
                 exec(compile(block, "docs/tutorial.md", "exec"), names)
-            names["client"].close()
             script = "set -euo pipefail\n" + "\n".join(shell).replace("localhost:7171", own)
             done = subprocess.run(["bash", "-c", script], cwd=folder, capture_output=True, text=True,
                                   env={**os.environ, "PATH": f"{pathlib.Path(selvage).parent}:{os.environ['PATH']}"})

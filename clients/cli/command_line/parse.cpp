@@ -172,7 +172,8 @@ std::string footer_of(const Program& program, const Command& command) {
   std::string footer;
   for (const std::string& example : command.examples)
     footer += (footer.empty() ? "Examples:\n  " : "  ") + example + "\n";
-  return footer + (footer.empty() ? "" : "\n") + program.footer;
+  return footer + (footer.empty() ? "" : "\n--server, --token-file, --trust: see `selvage --help`\n\n") +
+         program.footer;
 }
 
 }  // namespace

@@ -23,10 +23,10 @@ struct ExactCompactionParams {
     v.part(self.call);
     v.optional("pieces", self.pieces, "Number of pieces in a window, 1 to 12.", {.range = {{1, kMostPieces}}});
     v.optional("nodes", self.nodes,
-               "The largest number of nodes of the search in a window; 300 when absent, 20,000 with a deadline.",
+               "The largest number of nodes of the search in a window; 300 when absent, 20,000 when time is limited.",
                {.range = {{1, kMostNodes}}});
     v.optional("windows", self.windows,
-               "Maximum number of windows to search; 1,000 when absent, without limit with a deadline.",
+               "Maximum number of windows to search; 1,000 when absent, without limit when time is limited.",
                {.range = {{0, kMostWindows}}});
     v.optional("among", self.among,
                "Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched.",

@@ -22,7 +22,7 @@ struct FillParams {
     v.part(self.call);
     v.optional(
         "trials", self.trials,
-        "How many times small pieces are taken out and put back; 200 when absent, without limit with a deadline.",
+        "How many times small pieces are taken out and put back; 200 when absent, without limit when time is limited.",
         {.range = {{0, kMostTrials}}});
     v.optional("pieces", self.pieces, "Maximum number of pieces taken out in a trial, 1 to 12.",
                {.range = {{1, kMostTaken}}});

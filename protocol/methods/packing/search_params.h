@@ -24,7 +24,7 @@ struct SearchEffort {
 
   static void describe(auto& v, auto& self) {
     v.optional("nodes", self.nodes,
-               "The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline.",
+               "The largest number of nodes of the search; 1,000,000 when absent, without limit when time is limited.",
                {.range = {{1, kMostNodes}}});
     v.optional("turns", self.turns, "False: pieces keep their orientations.");
   }

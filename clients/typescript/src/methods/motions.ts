@@ -64,7 +64,7 @@ export interface MotionMethods {
   /** Searches all layouts of the pieces for the shortest, and proves how short it can be. */
   "motion.pack": {
     params: MotionParams & {
-      /** The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline. */
+      /** The largest number of nodes of the search; 1,000,000 when absent, without limit when time is limited. */
       nodes?: number;
       /** False: pieces keep their orientations. */
       turns?: boolean;
@@ -97,7 +97,7 @@ export interface MotionMethods {
       room?: Array<Point>;
       /** Which layout is returned: the first one when absent. */
       best?: BestContainment;
-      /** The largest number of nodes of the search; 1,000,000 when absent, without limit with a deadline. */
+      /** The largest number of nodes of the search; 1,000,000 when absent, without limit when time is limited. */
       nodes?: number;
       /** False: pieces keep their orientations. */
       turns?: boolean;
@@ -173,7 +173,7 @@ export interface MotionMethods {
     params: MotionParams & {
       /** The piece's id. */
       piece: Id;
-      /** Where the piece slides to; only the orientation counts. */
+      /** The direction in which the piece slides; its length does not matter. */
       direction: Direction;
     };
     result: MotionResult & {

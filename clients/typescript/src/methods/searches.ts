@@ -107,7 +107,7 @@ export interface SearchMethods {
   /** Shortens the marker by taking small pieces out and putting them back where there is room. */
   "marker.fillGaps": {
     params: MotionParams & {
-      /** How many times small pieces are taken out and put back; 200 when absent, without limit with a deadline. */
+      /** How many times small pieces are taken out and put back; 200 when absent, without limit when time is limited. */
       trials?: number;
       /** Maximum number of pieces taken out in a trial, 1 to 12. */
       pieces?: number;
@@ -136,9 +136,9 @@ export interface SearchMethods {
     params: MotionParams & {
       /** Number of pieces in a window, 1 to 12. */
       pieces?: number;
-      /** The largest number of nodes of the search in a window; 300 when absent, 20,000 with a deadline. */
+      /** The largest number of nodes of the search in a window; 300 when absent, 20,000 when time is limited. */
       nodes?: number;
-      /** Maximum number of windows to search; 1,000 when absent, without limit with a deadline. */
+      /** Maximum number of windows to search; 1,000 when absent, without limit when time is limited. */
       windows?: number;
       /** Ids of placed pieces: windows that hold none of them are left out; when absent, all are searched. */
       among?: Array<Id>;

@@ -15,7 +15,7 @@ struct BumpParams {
   static void describe(auto& v, auto& self) {
     v.part(self.call);
     v.required("piece", self.piece, calls::kPieceMeaning);
-    v.required("direction", self.direction, "Where the piece slides to; only the orientation counts.");
+    v.required("direction", self.direction, "The direction in which the piece slides; its length does not matter.");
   }
 };
 
