@@ -229,7 +229,7 @@ TEST(ExtremeCoordinates, AThousandTimesWiderThanLong) {
   std::vector<Polygon> column;
   for (const Polygon& outline : row_of_pieces()) column.push_back(transformed(outline, Symmetry{false, 1}));
   const Coord end = box_of(column.back()).high.y;
-  for (Polygon& outline : column) outline = test::moved(outline, {(Coord{1} << 29) - box_of(outline).low.x, 0});
+  for (Polygon& outline : column) outline = geometry::moved(outline, {(Coord{1} << 29) - box_of(outline).low.x, 0});
   const Marker marker = as_drawn(column, end);
   const motion::compaction::Compaction result = soundly_compacted(marker);
   const double aspect = static_cast<double>(marker.strip.width) / static_cast<double>(result.length_after);

@@ -26,7 +26,7 @@ int overlapping_moves(const Polygon& p, const Polygon& q) {
   int overlapping = 0;
   for (const Vec by : kUnitMoves) {
     const bool ours = overlap(test::placed(p), test::placed(q, by));
-    EXPECT_EQ(ours, test::interiors_meet(p, test::moved(q, by))) << by.x << ' ' << by.y;
+    EXPECT_EQ(ours, test::interiors_meet(p, geometry::moved(q, by))) << by.x << ' ' << by.y;
     overlapping += ours ? 1 : 0;
   }
   EXPECT_FALSE(overlap(test::placed(p), test::placed(q)));
@@ -38,18 +38,19 @@ TEST(ExtremeContacts, InAPointAlongAnEdgeAndInAHole) {
     SCOPED_TRACE(size);
     const Polygon square = test::rectangle(size, size);
     const Polygon diamond{{size, 0}, {2 * size, size}, {size, 2 * size}, {0, size}};
-    const Polygon star = test::moved(test::pinwheel(size), {size, size});
+    const Polygon star = geometry::moved(test::pinwheel(size), {size, size});
     // Corner to corner, corner to edge, along a whole edge, and along part of an edge.
-    EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, size})), 1);
-    EXPECT_EQ(overlapping_moves(diamond, test::moved(square, {2 * size, size / 2})), 3);
-    EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, 0})), 3);
-    EXPECT_EQ(overlapping_moves(square, test::moved(square, {size, size / 2})), 3);
-    EXPECT_EQ(overlapping_moves(star, test::moved(square, {2 * size, size / 2})), 3);  // the tip of an arm at an edge
-    EXPECT_EQ(overlapping_moves(star, test::moved(star, {2 * size, -2})),
+    EXPECT_EQ(overlapping_moves(square, geometry::moved(square, {size, size})), 1);
+    EXPECT_EQ(overlapping_moves(diamond, geometry::moved(square, {2 * size, size / 2})), 3);
+    EXPECT_EQ(overlapping_moves(square, geometry::moved(square, {size, 0})), 3);
+    EXPECT_EQ(overlapping_moves(square, geometry::moved(square, {size, size / 2})), 3);
+    EXPECT_EQ(overlapping_moves(star, geometry::moved(square, {2 * size, size / 2})),
+              3);  // the tip of an arm at an edge
+    EXPECT_EQ(overlapping_moves(star, geometry::moved(star, {2 * size, -2})),
               0);  // two tips, which are thinner than a unit there
     // In a hole that the piece fills exactly: every move overlaps.
     const Polygon ring = test::broken_ring(3 * size, size, 1);
-    EXPECT_EQ(overlapping_moves(ring, test::moved(square, {size, size})), 8);
+    EXPECT_EQ(overlapping_moves(ring, geometry::moved(square, {size, size})), 8);
   }
   reached("largest size, lattice units", static_cast<double>(Coord{3} << 38));
 }

@@ -26,7 +26,7 @@ TEST(SymmetricDifference, AgreesWithCgal) {
     const Polygon first = test::random_polygon(random, 100'000);
     const Polygon second = test::random_polygon(random, 100'000);
     const Vec by = random.point(-30'000, 30'000);
-    const Polygon moved = test::moved(second, by);
+    const Polygon moved = geometry::moved(second, by);
     const Box box = united(box_of(first), box_of(moved));
     double covered = static_cast<double>(box.width()) * static_cast<double>(box.height());
     for (const double area : test::areas_left_over(box, std::array{first, moved})) covered -= area;
@@ -43,7 +43,7 @@ TEST(BestAlignment, UndoesATranslation) {
   for (int trial = 0; trial < 50; ++trial) {
     const Polygon outline = test::random_polygon(random, 50'000);
     const Vec by = random.point(-100'000, 100'000);
-    const Alignment alignment = best_alignment(outline, test::moved(outline, -by));
+    const Alignment alignment = best_alignment(outline, geometry::moved(outline, -by));
     EXPECT_EQ(alignment.by, by);
     EXPECT_EQ(alignment.difference, 0);
   }

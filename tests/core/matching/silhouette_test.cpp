@@ -31,8 +31,8 @@ TEST(Silhouette, DifferenceIsSymmetricAndZeroForTranslatesOnly) {
     const Silhouette first = silhouette_of(outline);
     const Silhouette second = silhouette_of(other);
     EXPECT_EQ(estimated_difference(first, second), estimated_difference(second, first));
-    EXPECT_EQ(estimated_difference(first, silhouette_of(test::moved(outline, {-77, 12'345}))), 0);
-    if (silhouette_of(test::moved(other, box_of(outline).low - box_of(other).low)).hash != first.hash) {
+    EXPECT_EQ(estimated_difference(first, silhouette_of(geometry::moved(outline, {-77, 12'345}))), 0);
+    if (silhouette_of(geometry::moved(other, box_of(outline).low - box_of(other).low)).hash != first.hash) {
       EXPECT_GT(estimated_difference(first, second), 0);
     }
   }

@@ -27,7 +27,7 @@ double chord_at(const Polygon& polygon, Crossing crossing, double u) {
   return sum;
 }
 
-using test::moved;
+using geometry::moved;
 
 // Law: no chord is shorter than the least one of its part.
 TEST(Chords, AreNeverShorterThanTheLeastOfTheirPart) {
