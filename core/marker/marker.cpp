@@ -142,6 +142,15 @@ std::optional<Error> settle_part(const Marker& marker, Piece& piece, const std::
                field + "/outline"};
 }
 
+// Whether some orientation that the shape lists has a side for the fold; of a shape that turns freely, any may.
+bool may_lie_on_fold(const Shape& shape, const Rules& rules, const Strip& strip) {
+  const auto has_side = [&](Angle rotation) {
+    return has_side_for_fold(rules, oriented(shape.outline, {false, rotation, {}}), strip) ||
+           (shape.may_flip && has_side_for_fold(rules, oriented(shape.outline, {true, rotation, {}}), strip));
+  };
+  return shape.rotations.empty() || std::any_of(shape.rotations.begin(), shape.rotations.end(), has_side);
+}
+
 // Rules that no position keeps, whatever the piece's orientation; `at` points to the piece.
 std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at) {
   const Rules& rules = piece.rules;
@@ -163,6 +172,11 @@ std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, cons
   const std::vector<Angle>& rotations = marker.shapes[piece.shape.value].rotations;
   if (!rotations.empty() && std::none_of(rotations.begin(), rotations.end(), turned)) {
     return Error{ErrorCode::kOutOfRange, "no rotation that the shape allows lies with this nap", at + "/rules/nap"};
+  }
+  if (rules.on_fold && !may_lie_on_fold(marker.shapes[piece.shape.value], rules, marker.strip)) {
+    return Error{ErrorCode::kOutOfRange,
+                 "in no orientation that the shape allows does the piece have a side that could lie on the fold",
+                 at + "/rules/fold"};
   }
   for (const auto& [selvedge, name] : {std::pair{rules.below, "below"}, {rules.above, "above"}}) {
     if (const auto defect = selvedge_defect(marker, selvedge, name, at + "/rules")) return *defect;

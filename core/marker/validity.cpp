@@ -46,6 +46,13 @@ Overlap unmeasured(PiecePair pair, const PlacedPieces& pieces) {
           middle(std::max(p.low.y, q.low.y), std::min(p.high.y, q.high.y))};
 }
 
+// Whether the piece lies with its nap, and has a side for the fold where it has to.
+bool keeps_turn_rules(const Marker& marker, const Piece& piece) {
+  if (!piece.rules.nap && !piece.rules.on_fold) return true;
+  const Polygon outline = oriented(marker.shapes[piece.shape.value].outline, piece.orientation);
+  return keeps_nap(piece.rules, piece.orientation) && has_side_for_fold(piece.rules, outline, marker.strip);
+}
+
 }  // namespace
 
 outline::OrientedOutline oriented_outline(const Marker& marker, PieceId id, SumCache& sums) {
@@ -140,7 +147,9 @@ std::optional<Error> defect_of_fixed(const Marker& marker, const std::vector<boo
 }
 
 bool is_valid(const Marker& marker) {
-  return all_clear(PlacedPieces{marker}, marker.strip);
+  const auto keeps = [&](const Piece& piece) { return keeps_turn_rules(marker, piece); };
+  return std::all_of(marker.pieces.begin(), marker.pieces.end(), keeps) &&
+         all_clear(PlacedPieces{marker}, marker.strip);
 }
 
 }  // namespace selvage::marker

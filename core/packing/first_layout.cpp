@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
 #include "core/marker/validity.h"
 #include "core/model/ties.h"
@@ -40,9 +41,16 @@ Marker in_a_row(const Marker& start) {
   return row;
 }
 
+// As they are turned, wherever they lie.
+bool all_may_lie(const Marker& start) {
+  return std::ranges::all_of(start.pieces,
+                             [&](const Piece& piece) { return piece.rules.zone || may_lie(start, piece); });
+}
+
 }  // namespace
 
 std::optional<Marker> rough_layout(const Marker& start) {
+  if (!all_may_lie(start)) return std::nullopt;
   if (is_valid(start)) return start;
   Marker row = in_a_row(start);
   if (is_valid(row)) return row;
@@ -50,6 +58,7 @@ std::optional<Marker> rough_layout(const Marker& start) {
 }
 
 std::optional<Marker> first_layout(const Marker& start, const scene::Run& run) {
+  if (!all_may_lie(start)) return std::nullopt;
   const auto settings = compaction_settings(motion::compaction::Accuracy::kStandard);
   for (const bool row : {false, true}) {
     auto compacted = compact(row ? in_a_row(start) : start, settings, run.quiet());

@@ -213,7 +213,8 @@ class Packer {
 Packing pack(const Marker& start, const PackSettings& settings, const scene::Run& run) {
   std::vector<PieceId> unplaced;
   for (std::size_t k = 0; k < start.unplaced.size(); ++k) unplaced.push_back(bodies::unplaced_piece(start, k));
-  const bodies::OnCloth cloth = bodies::on_cloth(start, unplaced);
+  bodies::OnCloth cloth = bodies::on_cloth(start, unplaced);
+  if (settings.turns) bodies::turn_to_lie(cloth.marker, start.pieces.size());
   Packing packing = Packer{cloth.marker, settings, run}.pack();
   packing.marker = packing.found ? bodies::as_in(start, std::move(packing.marker)) : start;
   // The search uses no overlaps: nothing is proved, and the input may be shorter.

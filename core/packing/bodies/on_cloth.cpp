@@ -4,6 +4,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/marker/clearance.h"
+
 namespace selvage::packing::bodies {
 
 OnCloth on_cloth(const Marker& start, std::span<const PieceId> wanted, Coord clearance) {
@@ -36,6 +38,24 @@ OnCloth on_cloth(const Marker& start, std::span<const PieceId> wanted, Coord cle
     result.wanted.push_back(id.value < placed ? id : PieceId{place[id.value - placed]});
   }
   return result;
+}
+
+void turn_to_lie(Marker& marker, std::size_t from) {
+  for (std::size_t k = from; k < marker.pieces.size(); ++k) {
+    Piece& piece = marker.pieces[k];
+    const Shape& shape = marker.shapes[piece.shape.value];
+    const std::vector<Angle> quarters{{0}, {90}, {180}, {270}};
+    const Orientation given = piece.orientation;
+    bool lies = piece.locked.tilt || marker::may_lie(marker, piece);
+    for (const bool flip : {false, true}) {
+      for (const Angle rotation : shape.rotations.empty() ? quarters : shape.rotations) {
+        if (lies || (flip && !shape.may_flip)) continue;
+        piece.orientation = {flip, rotation, given.tilt};
+        lies = marker::may_lie(marker, piece);
+      }
+    }
+    if (!lies) piece.orientation = given;
+  }
 }
 
 bool allows_overlaps(const Marker& marker) {

@@ -303,6 +303,10 @@ TEST(Tubes, APieceLiesOnTheFoldThatItsStraightSideFaces) {
   Marker folded = roof_on_tube(180, {25, 100});
   folded.strip.tube = false;
   EXPECT_EQ(blamed(folded), "/pieces/0/rules/fold");
+  folded.shapes[folded.pieces[0].shape.value].rotations = {{180}};
+  folded.unplaced = std::move(folded.pieces);
+  folded.pieces.clear();
+  EXPECT_EQ(blamed(folded), "/unplaced/0/rules/fold");
 }
 
 TEST(Tubes, AFoldHasNoSelvedgeOnEitherSide) {

@@ -179,22 +179,23 @@ TEST(RulesInNesting, APlacedPieceThatItsMatchSetLeavesNoRoomIsNamed) {
 }
 
 TEST(RulesInNesting, ReportedMarkersHaveTheRulesThatWereGiven) {
-  Marker marker = squares(6);
+  Marker marker =
+      unplaced_pieces({rectangle(3 * kSide, 2 * kSide), {{0, 0}, {4 * kSide, 0}, {0, 3 * kSide}}}, 12, kWidth);
   marker.strip.repeat = {.along = 7 * kSide / 2, .phase = {12'345, 321}};
-  for (Piece& piece : marker.unplaced) {
-    piece.rules.match = Vec{kSide, kSide / 3};
-    piece.rules.match_set = "A";
+  for (std::size_t i = 0; i < 3; ++i) {
+    marker.unplaced[i].rules.match = Vec{kSide, kSide / 3};
+    marker.unplaced[i].rules.match_set = "A";
   }
   SumCache sums;
   scene::Run run{sums};
   int reported = 0;
   run.observer.on_round = [&](const scene::Round& round) {
     ASSERT_TRUE(round.marker);
-    for (const Piece& piece : round.marker->pieces) EXPECT_EQ(piece.rules, marker.unplaced[0].rules);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(round.marker->pieces[i].rules, marker.unplaced[i].rules);
     ++reported;
   };
   NestSettings settings;
-  settings.moves = 500;
+  settings.moves = 2'000;
   ASSERT_TRUE(nest(marker, settings, run));
   EXPECT_GT(reported, 0);
 }

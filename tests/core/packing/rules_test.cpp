@@ -41,6 +41,30 @@ TEST(RulesInPacking, SquaresOnTheFoldLieInARow) {
   expect_optimum(marker, 30'000);
 }
 
+TEST(RulesInPacking, AnUnplacedPieceIsTurnedAsItsRulesAsk) {
+  test::Layout layout{50'000};
+  const auto board = layout.shape_of(test::rectangle(40'000, 30'000));
+  const auto triangle = layout.shape_of({{0, 0}, {30'000, 10'000}, {0, 20'000}});
+  for (const std::vector<Angle>& rotations : {std::vector<Angle>{}, {{0}, {90}}}) {
+    for (const auto shape : {board, triangle}) {
+      Marker marker = layout.marker();
+      for (Shape& one : marker.shapes) one.rotations = rotations;
+      marker.unplaced = {{.id = "a", .shape = {shape}, .orientation = {false, {90}, {}}, .at = {}}};
+      marker.unplaced[0].rules.nap = shape == board ? std::optional{marker::Nap::kUp} : std::nullopt;
+      marker.unplaced[0].rules.on_fold = shape == triangle;
+      if (shape == triangle) marker.unplaced[0].orientation.rotation = {0};
+      SumCache sums;
+      const Packing found = pack(marker, {}, {sums});
+      ASSERT_TRUE(found.found);
+      EXPECT_TRUE(is_valid(found.marker));
+      EXPECT_TRUE(make_marker(found.marker));
+      const Packing as_given = pack(marker, {.turns = false}, {sums});
+      EXPECT_FALSE(as_given.found);
+      EXPECT_EQ(as_given.marker.unplaced.size(), 1u);
+    }
+  }
+}
+
 TEST(RulesInPacking, AMatchedPieceMayChangeToAnotherRepeat) {
   Marker marker = squares(2);
   marker.strip.width = 10'000;
