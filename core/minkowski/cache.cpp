@@ -252,6 +252,7 @@ std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, co
   store_->count(pairs.size() - missing.size(), missing.size());
 
   const auto made = gathered<Sum>(executor, missing.size(), kBlock, [&](std::size_t k, std::vector<Sum>& out) {
+    executor.on_step();
     out.push_back(stop.stop_requested() ? nullptr : make(missing[k], stop));
   });
   for (std::size_t k = 0; k < missing.size(); ++k) {

@@ -17,7 +17,16 @@ namespace {
 // Work on putting pieces back, counted in pieces that each trial of an orientation looks at.
 constexpr std::size_t kMostLookedAt = 20'000'000;
 
-// The piece at a free position on the cloth, as far left as the orientations allow; nothing when there is none.
+// The sums of the last piece with all others, so that time can be up between two of them; false when it is.
+bool has_sums(const scene::Scene& scene, const scene::Run& run) {
+  std::vector<marker::PiecePair> pairs;
+  const auto last = static_cast<std::uint32_t>(scene.pieces.size() - 1);
+  for (std::uint32_t other = 0; other < last; ++other) pairs.emplace_back(other, last);
+  return scene.obstacles(pairs, *run.executor, run.stop).size() == pairs.size();
+}
+
+// The piece at a free position on the cloth, as far left as the orientations allow; nothing when there is none, and
+// when time is up.
 std::optional<Piece> put_down(const Marker& lying, Piece piece, const layout::Kind& kind, const scene::Run& run) {
   const Piece original = piece;
   piece.locked = {};
@@ -29,7 +38,8 @@ std::optional<Piece> put_down(const Marker& lying, Piece piece, const layout::Ki
     with_piece.pieces.push_back(piece);
     const scene::Scene scene{std::move(with_piece), run.sums};
     const PieceId id{static_cast<std::uint32_t>(lying.pieces.size())};
-    const auto place = motion::placing::place(scene, id, {0, lying.strip.width / 2});
+    if (!has_sums(scene, run)) return std::nullopt;
+    const auto place = motion::placing::place(scene, id, {0, lying.strip.width / 2}, {.tuning = {}, .stop = run.stop});
     if (!place || (best && best->at.x <= place->at.x)) continue;
     best = original;
     best->orientation = turned.orientation;

@@ -14,7 +14,8 @@
 // answer is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and
 // however many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an
 // end, more moves never give a longer marker, before pieces tilt and unless they are nested in batches.
-// (7) When `elapsed` reaches 1, the linear program that is being solved is the last one.
+// (7) When `elapsed` reaches 1, the linear program that is being solved, or the Minkowski sum that is being computed, is
+// the last one.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +42,8 @@ struct NestSettings {
   layout::PlacedPiecesMay placed{layout::PlacedPiecesMay::kMove};
   // Takes all pieces except locked ones and groups off the cloth first: the answer may then be longer than the input.
   bool from_scratch{};
-  // The part of the caller's time that is used up, 0..1; empty when only moves are limited.  Called by the thread of
-  // every search.
+  // The part of the caller's time that is used up, 0..1; empty when only moves are limited.  Called by all threads that
+  // work for the nesting.
   std::function<double()> elapsed{};
   // Where the cloth ends before all pieces lie on it: what pieces are worth, by their id; others are worth their area
   // in square lattice units.  At least 0.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 
@@ -39,7 +40,7 @@ class BatchShare {
   std::uint64_t moves_;
   const std::function<double()>& elapsed_;
   double begin_{}, end_{};
-  bool better_{};
+  std::atomic<bool> better_{};
 };
 
 }  // namespace selvage::nesting::batches

@@ -43,7 +43,7 @@ std::optional<Marker> with_piece(const Marker& marker, std::size_t unplaced, Coo
   for (const Orientation& orientation : orientations) {
     scene.reorient(id, orientation, {});
     if (!may_lie(scene.marker, scene.marker.pieces[id.value])) continue;
-    const auto place = motion::placing::place(scene, id, point);
+    const auto place = motion::placing::place(scene, id, point, {.tuning = {}, .stop = run.stop});
     if (!place) continue;
     Marker placed = scene.result();
     placed.strip = marker.strip;
