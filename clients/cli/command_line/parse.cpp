@@ -168,12 +168,18 @@ std::string mistake(const Program& program, const CLI::App& app, const CLI::Pars
   return message + "\nRun `" + described + " --help` for more information.";
 }
 
+// Names the options of the program, which the page of a command does not describe.
+std::string shared_options(const Program& program) {
+  std::string names;
+  for (const Option& option : program.options) names += (names.empty() ? "" : ", ") + option.name;
+  return names.empty() ? "" : names + ": see `" + program.name + " --help`\n\n";
+}
+
 std::string footer_of(const Program& program, const Command& command) {
-  std::string footer;
+  std::string examples;
   for (const std::string& example : command.examples)
-    footer += (footer.empty() ? "Examples:\n  " : "  ") + example + "\n";
-  return footer + (footer.empty() ? "" : "\n--server, --token-file, --trust: see `selvage --help`\n\n") +
-         program.footer;
+    examples += (examples.empty() ? "Examples:\n  " : "  ") + example + "\n";
+  return examples + (examples.empty() ? "" : "\n") + shared_options(program) + program.footer;
 }
 
 }  // namespace
