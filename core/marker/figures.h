@@ -10,7 +10,8 @@ namespace selvage::marker {
 struct Figures {
   Coord length{};        // x of the right end of the rightmost piece; lattice units
   double utilisation{};  // 0..1
-  bool valid{};          // exact, the same as is_valid
+  bool valid{};          // exact, the same as is_valid for markers of make_marker, whose pieces are turned as their
+                         // rules ask
   Wide doubled_area{};   // of the pieces that lie on the cloth; square lattice units
 };
 [[nodiscard]] Figures figures_of(const Marker& marker);

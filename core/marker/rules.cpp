@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "core/marker/marker.h"
@@ -128,8 +129,10 @@ std::optional<Rooms> rooms_of(const Marker& marker) {
     if (marker.shade && !rules.shade.empty()) shades[rules.shade].push_back(i);
     if (rooms.repeat.any() && rules.match && !rules.match_set.empty()) sets[rules.match_set].push_back(i);
   }
+  std::set<std::string_view> unplaced;  // shades of pieces that do not lie on the cloth
+  for (const Piece& piece : marker.unplaced) unplaced.insert(piece.rules.shade);
   for (auto& [name, pieces] : shades) {
-    if (pieces.size() > 1) rooms.shades.push_back({std::move(pieces), *marker.shade});
+    if (pieces.size() > 1 || unplaced.contains(name)) rooms.shades.push_back({std::move(pieces), *marker.shade});
   }
   for (auto& [name, pieces] : sets) {
     if (pieces.size() > 1) rooms.match_sets.push_back(std::move(pieces));

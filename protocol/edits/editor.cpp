@@ -70,16 +70,18 @@ class Editor {
   }
 
   Coord coordinate(double value, std::string_view field) {
-    const double far =
-        std::min(formats::kFarthest * to_decimal(file_.marker.strip.width, resolution()), largest_length());
-    if (std::abs(value) <= far) return to_lattice(value, resolution());
+    if (std::abs(value) <= farthest()) return to_lattice(value, resolution());
     mistake_.add(ErrorCode::kBeyondLattice,
-                 json::number_text(value) + " is too far out; up to " + json::number_text(far) +
+                 json::number_text(value) + " is too far out; up to " + json::number_text(farthest()) +
                      " in either direction is allowed",
                  pointer_of(edit_, field));
     return 0;
   }
 
+  // The largest coordinate that a marker with this strip may have when it is read.
+  [[nodiscard]] double farthest() const {
+    return std::min(formats::kFarthest * to_decimal(file_.marker.strip.width, resolution()), largest_length());
+  }
   // The largest length that the marker's lattice can hold, in the marker's unit.
   [[nodiscard]] double largest_length() const { return to_decimal(kLatticeLimit - 1, resolution()); }
   void refuse_length(const std::string& length, std::string_view field) {
@@ -325,17 +327,19 @@ class Editor {
     erase_marked(file_.attributes.unplaced, taken_);
   }
 
-  // Checks that no edited piece reaches beyond the lattice, because moves add up.
+  // Checks that no edited piece reaches farther than a marker that is read may, because moves add up; nor any piece of
+  // a strip that has become narrower, because the limit is measured in its widths.
   void check_reach() {
     for (std::uint32_t i = 0; i < blame_.pieces.size(); ++i) {
-      if (blame_.pieces[i] == kNoEdit) continue;
+      const std::size_t edit = blame_.pieces[i] == kNoEdit ? blame_.strip : blame_.pieces[i];
+      if (edit == kNoEdit) continue;
       const Box box = box_of(placed_outline(file_.marker, PieceId{i}));
       const Coord reach = std::max({-box.low.x, -box.low.y, box.high.x, box.high.y});
-      if (reach < kLatticeLimit) continue;
-      mistake_.add(ErrorCode::kBeyondLattice,
-                   "the piece would reach beyond the marker's lattice; coordinates up to " +
-                       json::number_text(largest_length()) + " are allowed",
-                   pointer_of(blame_.pieces[i]));
+      if (reach < kLatticeLimit && to_decimal(reach, resolution()) <= farthest()) continue;
+      mistake_.add(
+          ErrorCode::kBeyondLattice,
+          "the piece would reach too far out; coordinates up to " + json::number_text(farthest()) + " are allowed",
+          pointer_of(edit));
     }
   }
 

@@ -85,7 +85,8 @@ class Dragger {
   [[nodiscard]] Vec nearest_found() const {
     Marker reached = start_;
     reached.strip = start_.strip.ending(end_);
-    const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, PieceId{piece_}, wanted_);
+    const auto found = placing::place(scene::Scene{std::move(reached), laid_out_, run_.sums}, PieceId{piece_}, wanted_,
+                                      {.tuning = {}, .stop = run_.stop});
     return found ? found->at : from_;
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace {
 
 class Aligner {
  public:
-  Aligner(scene::Scene& scene, StripEdge side)
+  Aligner(scene::Scene& scene, StripEdge side, std::stop_token stop)
       : scene_{scene},
+        stop_{std::move(stop)},
         upright_{side == StripEdge::kLeft || side == StripEdge::kRight},
         low_{side == StripEdge::kLeft || side == StripEdge::kBottom} {}
 
@@ -35,7 +37,7 @@ class Aligner {
     const model::Ties ties = scene_.ties;
     hold_other_axis(piece);
     const Vec at = scene_.pieces.at(piece.value);
-    const auto found = place(scene_, piece, at + along(missing));
+    const auto found = place(scene_, piece, at + along(missing), {.tuning = {}, .stop = stop_});
     if (found) {
       const Coord moved = upright_ ? found->at.x - at.x : found->at.y - at.y;
       const bool on_the_way = (moved > 0) == (missing > 0) && std::abs(moved) <= std::abs(missing);
@@ -64,6 +66,7 @@ class Aligner {
   }
 
   scene::Scene& scene_;
+  std::stop_token stop_;
   bool upright_;  // the line is parallel to y
   bool low_;      // the sides are the left or lower ones
 };
@@ -76,7 +79,7 @@ Result<Alignment> align(const Marker& start, std::span<const PieceId> pieces, St
                  "/pieces"};
   }
   return repair::repaired_and<Alignment>(start, run, [&](scene::Scene& scene, Alignment& alignment) {
-    Aligner aligner{scene, side};
+    Aligner aligner{scene, side, run.stop};
     alignment.line = aligner.line_of(pieces);
     // The nearest first, so that it does not stand in the way of those behind it.
     std::vector<std::pair<Coord, PieceId>> order;

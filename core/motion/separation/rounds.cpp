@@ -63,7 +63,10 @@ std::uint32_t Rounds::most_blocking(Separation& total) const {
   total.programs += step.programs;
   std::vector<std::uint32_t> candidates;
   for (const OverlappingPair& overlapping : overlapping_) {
-    if (counts(overlapping)) candidates.insert(candidates.end(), {overlapping.pair.first, overlapping.pair.second});
+    if (!counts(overlapping)) continue;
+    for (const std::uint32_t piece : {overlapping.pair.first, overlapping.pair.second}) {
+      if (!scene_.pieces.is_zone(piece)) candidates.push_back(piece);
+    }
   }
   if (candidates.empty()) candidates.push_back(rightmost());
   const auto weight = [&](std::uint32_t piece) {

@@ -96,6 +96,7 @@ Result<Separation> separate(const Marker& start, const SeparationSettings& setti
     result.apart = ending.apart;
     if (ending.apart || !settings.pop_out || ending.reason == scene::StopReason::kCancelled) break;
     if (result.popped.size() + rounds.least_to_remove() > settings.most_popped) break;
+    if (piece_count(result.marker) + result.marker.unplaced.size() == 1) break;  // a marker has at least one piece
     const std::uint32_t gone = rounds.most_blocking(result);
     result.popped.push_back(pieces.ids[gone]);
     erase_at(result.marker.pieces, gone);

@@ -168,11 +168,13 @@ Marker limited(Marker marker, const std::optional<Angle>& limit) {
   for (Shape& shape : marker.shapes) shape.tilt_limit = *limit;
   return marker;
 }
-// Raises the limits of shapes to the tilts that their pieces have.
+// Raises the limits of shapes to the tilts that their pieces have, placed or not.
 void allow_present_tilts(Marker& marker) {
-  for (const Piece& piece : marker.pieces) {
-    Angle& limit = marker.shapes[piece.shape.value].tilt_limit;
-    limit.degrees = std::max(limit.degrees, std::abs(piece.orientation.tilt.degrees));
+  for (const auto* pieces : {&marker.pieces, &marker.unplaced}) {
+    for (const Piece& piece : *pieces) {
+      Angle& limit = marker.shapes[piece.shape.value].tilt_limit;
+      limit.degrees = std::max(limit.degrees, std::abs(piece.orientation.tilt.degrees));
+    }
   }
 }
 

@@ -90,6 +90,18 @@ TEST(Rooms, APieceMayLieWhereverItsShadeIsNotTooLong) {
   EXPECT_EQ(pieces.room_among(0, {true, false, true}, marker.strip, 1000), (Box{{0, 0}, {90, 100}}));
 }
 
+TEST(Rooms, APieceIsNoLongerThanTheShadeOfAnUnplacedOne) {
+  Marker marker = squares({{0, 0}, {70, 0}});
+  marker.shade = 9;
+  for (Piece& piece : marker.pieces) piece.rules.shade = "A";
+  marker.pieces.pop_back();
+  EXPECT_TRUE(is_valid(marker));
+  marker.unplaced = {marker.pieces[0]};
+  marker.unplaced[0].id = "later";
+  EXPECT_FALSE(is_valid(marker));
+  EXPECT_FALSE(make_marker(marker));
+}
+
 TEST(Rooms, ChecksNameTheShadeThatIsTooLong) {
   Marker marker = squares({{0, 0}, {70, 0}, {20, 20}});
   marker.shade = 50;

@@ -197,6 +197,21 @@ TEST(Edits, MovesThatAddUpBeyondTheLatticeAreRefused) {
   EXPECT_EQ(after.error().code, ErrorCode::kBeyondLattice);
 }
 
+TEST(Edits, WhatTheyLeaveCanBeReadAgain) {
+  // As far as the strip's width allows, a piece may lie, but not reach beyond; and no strip may become too narrow.
+  const auto width = to_decimal(loose().marker.strip.width, loose().marker.resolution);
+  const std::string far = json::number_text(1e5 * width);
+  const auto beyond = edited(loose(), "{'op':'move','piece':'left','at':[" + far + ",0]}");
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().code, ErrorCode::kBeyondLattice);
+  const std::string half = json::number_text(5e4 * width);
+  const auto halfway = edited(loose(), "{'op':'move','piece':'left','at':[" + half + ",0]}");
+  ASSERT_TRUE(halfway) << halfway.error().message;
+  const auto narrower = edited(*halfway, "{'op':'setStrip','width':" + json::number_text(width / 4) + "}");
+  ASSERT_FALSE(narrower);
+  EXPECT_EQ(narrower.error().code, ErrorCode::kBeyondLattice);
+}
+
 TEST(Moves, LeadFromOneStateToTheOtherAndAreExactAsText) {
   const MarkerFile before = loose();
   const auto after = edited(before, R"({'op':'move','piece':'right','at':[61.0625,3]},

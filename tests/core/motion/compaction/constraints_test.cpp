@@ -87,6 +87,17 @@ Marker three_squares() {
   return layout.marker();
 }
 
+// Regression: the relative position of these two is a vertex of their sum, from which no direction leads to it.
+TEST(Compact, PiecesMayBeTooCloseCornerToCorner) {
+  test::Layout layout{1'500'000};
+  const auto square = layout.shape_of(test::rectangle(100'000, 100'000));
+  layout.spaced(100).put(square, {0, 0}).put(square, {100'000, 100'000});
+  SumCache sums;
+  const auto done = compact(layout.marker(), compaction_settings(motion::compaction::Accuracy::kStandard), {sums});
+  ASSERT_TRUE(done) << done.error().message;
+  EXPECT_TRUE(is_valid(done->marker));
+}
+
 TEST(Compact, SlidesAPieceAlongTheAxisItIsFreeOn) {
   Marker marker = three_squares();
   marker.pieces[1].locked = {false, true, true};  // in y: it stops at the first, around which it would otherwise slide

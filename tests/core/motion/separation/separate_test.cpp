@@ -160,6 +160,21 @@ TEST(Separate, PopsOutPiecesThatBlockTheSeparation) {
   EXPECT_EQ(kept.marker.pieces[0], locked.pieces[0]);
 }
 
+TEST(Separate, PopsNeitherZonesNorTheLastPiece) {
+  Marker on_flaw = two_squares(100);
+  on_flaw.pieces[0].rules.zone = true;
+  on_flaw.pieces[0].locked = true;
+  on_flaw.pieces[1].locked = true;
+  const auto result = separated(on_flaw, {.pop_out = true});
+  EXPECT_TRUE(result.apart);
+  ASSERT_EQ(result.marker.pieces.size(), 2U);
+  EXPECT_TRUE(result.marker.pieces[0].rules.zone);
+  on_flaw.pieces.pop_back();
+  const auto alone = separated(on_flaw, {.pop_out = true});
+  EXPECT_FALSE(alone.apart);
+  EXPECT_EQ(alone.marker.pieces.size(), 2U);
+}
+
 TEST(Separate, GivesUpWhenMorePiecesWouldHaveToGo) {
   Marker start = overfull();
   for (std::uint32_t k = 0; k < 3; ++k) {  // a second column as full as the first

@@ -47,6 +47,16 @@ Marker leaning_bar(double degrees) {
   return marker;
 }
 
+TEST(Tilt, UnplacedPiecesKeepTheirTilts) {
+  Marker marker = leaning_bar(0);
+  marker.unplaced = {marker.pieces[0]};
+  marker.unplaced[0].id = "later";
+  marker.unplaced[0].at = {};
+  marker.unplaced[0].orientation.tilt = Angle::of_degrees(3);
+  const Tilting tilting = tilted_marker(marker, limited(1));
+  EXPECT_EQ(tilting.marker.unplaced, marker.unplaced);
+}
+
 // Two upright wedges that need 470 mm untilted, and about 435 mm when the right one is tilted by two degrees against
 // the left one's slanted side.
 Marker wedges(double limit) {
