@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/marker/clearance.h"
@@ -14,6 +15,7 @@
 #include "core/packing/cores/refutation.h"
 #include "core/packing/guessing/guessed_layouts.h"
 #include "core/packing/nearby.h"
+#include "core/packing/with_overlaps.h"
 
 namespace selvage::packing {
 namespace {
@@ -60,35 +62,18 @@ scene::StopReason reason_of(branching::SearchEnd end) {
   return end == branching::SearchEnd::kCancelled ? scene::StopReason::kCancelled : scene::StopReason::kConverged;
 }
 
-}  // namespace
-
-Box room_until(const Strip& strip, Coord end) {
-  return {{strip.margin, 0}, {std::min(end, strip.last().value_or(end)), strip.width}};
-}
-
-std::optional<Error> defect_of_staying(const Marker& start, std::span<const PieceId> pieces) {
-  std::vector<PieceId> placed{pieces.begin(), pieces.end()};
-  std::erase_if(placed, [&](const PieceId id) { return id.value >= start.pieces.size(); });
-  std::vector<bool> staying = with_groups(start, placed);
-  staying.flip();
-  return marker::defect_of_fixed(start, staying);
-}
-
-Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
-                    const ContainSettings& settings, const scene::Run& run) {
+// The search, whose layouts have no overlaps.
+Containment contain_apart(const Marker& start, const bodies::OnCloth& cloth, const Container& room,
+                          const ContainSettings& settings, const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kSums);
   Containment result;
   result.marker = start;
   result.length_before = result.length_after = length_of(start);
-  const bodies::OnCloth cloth = bodies::on_cloth(start, pieces, settings.clearance);
-  const Box strip = room_until(start.strip, kLatticeLimit);
-  const Container room = within(container, strip);
   const Nearby part = nearby(cloth.marker, with_groups(cloth.marker, cloth.wanted), room.box);
   bodies::Freedom freedom{part.moving, room, settings.turns, settings.clearance};
   freedom.container.box = freedom.container.box.grown(-settings.clearance);
-  const bool overlaps_ignored = settings.clearance == 0 && bodies::allows_overlaps(start);
   if (!locked_pieces_fit(part.marker, freedom)) {
-    result.verdict = overlaps_ignored ? Verdict::kUndecided : Verdict::kImpossible;
+    result.verdict = Verdict::kImpossible;
     return result;
   }
   const bodies::Bodies bodies = bodies_of(part.marker, freedom, run);
@@ -116,10 +101,54 @@ Containment contain(const Marker& start, std::span<const PieceId> pieces, const 
   const auto outcome =
       branching::search(bodies.problem, static_cast<double>(kLatticeLimit), 0, settings.limits, settings.tuning, calls);
   result.verdict = verdict_of(outcome);
-  if (result.verdict == Verdict::kImpossible && overlaps_ignored) result.verdict = Verdict::kUndecided;
   result.reason = reason_of(outcome.end);
   result.work = outcome.work;
   result.length_after = length_of(result.marker);
+  return result;
+}
+
+// Where overlaps might make room, the search proves nothing: a nesting that uses them tries to find a layout.
+void use_overlaps(const Marker& start, const bodies::OnCloth& cloth, const Container& room,
+                  const ContainSettings& settings, const scene::Run& run, Containment& result) {
+  result.verdict = Verdict::kUndecided;
+  Marker present = bodies::as_in(start, cloth.marker);
+  for (std::size_t k = 0; k < present.pieces.size(); ++k) {
+    present.pieces[k].locked = cloth.marker.pieces[k].locked;
+    present.pieces[k].group = cloth.marker.pieces[k].group;
+  }
+  const OverlapSettings motions{settings.turns, settings.overlap_moves};
+  auto layout = contained_with_overlaps(present, cloth.wanted, room, motions, run);
+  if (layout) {
+    result.marker = bodies::as_in(start, *std::move(layout));
+    result.length_after = length_of(result.marker);
+    result.verdict = Verdict::kFound;
+    result.reason = scene::StopReason::kConverged;
+  } else {
+    result.reason = run.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
+  }
+}
+
+}  // namespace
+
+Box room_until(const Strip& strip, Coord end) {
+  return {{strip.margin, 0}, {std::min(end, strip.last().value_or(end)), strip.width}};
+}
+
+std::optional<Error> defect_of_staying(const Marker& start, std::span<const PieceId> pieces) {
+  std::vector<PieceId> placed{pieces.begin(), pieces.end()};
+  std::erase_if(placed, [&](const PieceId id) { return id.value >= start.pieces.size(); });
+  std::vector<bool> staying = with_groups(start, placed);
+  staying.flip();
+  return marker::defect_of_fixed(start, staying);
+}
+
+Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
+                    const ContainSettings& settings, const scene::Run& run) {
+  const bodies::OnCloth cloth = bodies::on_cloth(start, pieces, settings.clearance);
+  const Container room = within(container, room_until(start.strip, kLatticeLimit));
+  Containment result = contain_apart(start, cloth, room, settings, run);
+  const bool overlaps_ignored = settings.clearance == 0 && bodies::allows_overlaps(start);
+  if (result.verdict != Verdict::kFound && overlaps_ignored) use_overlaps(start, cloth, room, settings, run, result);
   return result;
 }
 

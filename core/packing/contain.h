@@ -9,6 +9,7 @@
 // (4) The same input and settings give the same answer, whatever the cache holds and however many threads are used.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -26,6 +27,7 @@ struct ContainSettings {
   branching::WorkLimits limits{};
   bool turns{true};   // pieces may take other orientations that their shapes allow
   Coord clearance{};  // the pieces keep this much more than their spacing, and from the container's border; even
+  std::uint64_t overlap_moves{100};  // for each piece, of the nesting that uses overlap allowances; 0: there is none
   branching::SearchTuning tuning{.subtrees = 4, .at_once = 2, .burst = 64};
   friend bool operator==(const ContainSettings&, const ContainSettings&) = default;
 };
@@ -33,8 +35,9 @@ struct ContainSettings {
 enum class Verdict {
   kFound,       // `marker` has the pieces in the room
   kImpossible,  // they do not fit
-  kUndecided,  // the work limit or a stop came first, or a fit so tight that rounding to the lattice decides; also with
-               // more than kMostBodies pieces, or outlines with too many edges (bodies.h)
+  kUndecided,   // the work limit or a stop came first, or a fit so tight that rounding to the lattice decides, or
+                // overlap allowances might make room; also with more than kMostBodies pieces, or outlines with too many
+                // edges (bodies.h)
 };
 
 struct Containment : motion::repair::MotionResult {
@@ -44,9 +47,10 @@ struct Containment : motion::repair::MotionResult {
 
 // The pieces, with those of their groups, go to places inside the container and inside the strip.  Where they lie now
 // does not matter, except that locked ones have to fit where they are; unplaced pieces (on_cloth.h) are among those
-// that may be named.  Where overlap allowances, which are not used, might make room, it is never `kImpossible`.  All
-// pieces keep their rules (core/marker/rules.h); where several pieces of a shade are to be placed at once, the search
-// may miss layouts and ends undecided.  Unless they are found, `marker` is the input.
+// that may be named.  The search does not use overlap allowances: where they might make room, and it finds no layout, a
+// short nesting looks for one that uses them (with_overlaps.h); if that finds none, the verdict is `kUndecided` and the
+// reason kWorkLimit.  All pieces keep their rules (core/marker/rules.h); where several pieces of a shade are to be
+// placed at once, the search may miss layouts and ends undecided.  Unless they are found, `marker` is the input.
 [[nodiscard]] Containment contain(const Marker& start, std::span<const PieceId> pieces, const Container& container,
                                   const ContainSettings& settings, const scene::Run& run);
 

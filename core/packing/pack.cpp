@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/marker/validity.h"
+#include "core/motion/compaction/compact.h"
 #include "core/nesting/nest.h"
 #include "core/packing/bodies/bodies.h"
 #include "core/packing/bodies/mirror.h"
@@ -13,6 +14,7 @@
 #include "core/packing/bodies/place_leaf.h"
 #include "core/packing/contain.h"
 #include "core/packing/first_layout.h"
+#include "core/packing/with_overlaps.h"
 
 namespace selvage::packing {
 namespace {
@@ -51,7 +53,7 @@ class Packer {
       packing_.reason = run_.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
       packing_.bound = static_cast<Coord>(bound);
     }
-    if (packing_.reason != scene::StopReason::kConverged) compact_first();
+    if (!packing_.proved) shorten_without_proof();
     packing_.found = best_.has_value();
     packing_.marker = best_ ? *std::move(best_) : start_;
     return std::move(packing_);
@@ -96,8 +98,12 @@ class Packer {
       if (outcome.bound < ceiling) break;
       step = kLaterSteps;
     }
+    prove(bound, packing_.reason == scene::StopReason::kConverged);
+  }
+
+  // What the bound proves about the best layout, or about there being none.  `complete`: the search is over.
+  void prove(double bound, bool complete) {
     packing_.bound = reported(bound);
-    const bool complete = packing_.reason == scene::StopReason::kConverged;
     const auto left = static_cast<double>(packing_.length_after - packing_.bound);
     packing_.proved = complete && (best_ ? left <= 2 * gap_ : !undecided_);
   }
@@ -106,33 +112,48 @@ class Packer {
   void compact_first() {
     if (std::exchange(compacted_, true)) return;
     auto first = first_layout(start_, run_);
-    if (first && (!best_ || length_of(*first) < packing_.length_after)) keep(*std::move(first));
+    if (first && (!best_ || length_of(*first) < packing_.length_after)) keep(*std::move(first), true);
   }
 
-  // Where nesting chooses among the same orientations as the search: all that a shape lists, without a tilt.
+  // Where no proof says that the best layout is the shortest, motions may shorten it.
+  void shorten_without_proof() {
+    compact_first();
+    if (best_ && !compacted_best_) {
+      auto compacted = compact(*best_, compaction_settings(motion::compaction::Accuracy::kStandard), run_.quiet());
+      if (compacted && compacted->length_after < packing_.length_after) keep(std::move(compacted->marker), true);
+    }
+    // A search that is over soon was not interrupted for a nesting.
+    const bool over = packing_.reason == scene::StopReason::kConverged;
+    if (over && nestings_ == 0 && !run_.stopped())
+      nest_best(settings_.interruptions.moves_at_end * start_.pieces.size());
+    prove(static_cast<double>(packing_.bound), over);
+  }
+
   [[nodiscard]] bool may_nest() const {
-    return std::ranges::all_of(start_.pieces, [this](const Piece& piece) {
-      const Shape& shape = start_.shapes[piece.shape.value];
-      const bool listed = settings_.turns ? !shape.rotations.empty() : shape.rotations.size() == 1 && !shape.may_flip;
-      return listed && piece.orientation.tilt == Angle{};
-    });
+    const auto as_searched = [this](const Piece& piece) { return nests_as_searched(start_, piece, settings_.turns); };
+    return std::ranges::all_of(start_.pieces, as_searched);
   }
 
   // A shorter layout to beat, from the best that is known: without one, a search that does not end has nothing to show.
-  void nest_best() {
+  void nest_best(std::uint64_t moves) {
     compact_first();
     if (!best_ || !may_nest()) return;
     nesting::NestSettings settings;
-    const InterruptionTuning& tuning = settings_.interruptions;
-    settings.moves = nestings_ == 0 ? tuning.moves_a_piece * best_->pieces.size()
-                                    : (packing_.work.nodes - nested_at_) / tuning.nodes_a_move;
+    settings.moves = moves;
     settings.seed = nestings_;
     settings.tilts = false;
     ++nestings_;
     nested_at_ = packing_.work.nodes;
     auto nested = nesting::nest(*best_, settings, run_.quiet());
     if (!nested || nested->left_over > 0 || nested->length_after >= packing_.length_after) return;
-    keep(std::move(nested->marker));
+    keep(std::move(nested->marker), true);
+  }
+
+  // Of the nesting that is due when a search is interrupted.
+  [[nodiscard]] std::uint64_t moves_due() const {
+    const InterruptionTuning& tuning = settings_.interruptions;
+    return nestings_ == 0 ? tuning.moves_a_piece * start_.pieces.size()
+                          : (packing_.work.nodes - nested_at_) / tuning.nodes_a_move;
   }
 
   // The bound in whole units; no layout that is known is shorter.
@@ -166,7 +187,7 @@ class Packer {
     };
     go_on(next_limit());
     while (outcome.end == branching::SearchEnd::kWorkLimit && interrupted()) {
-      nest_best();
+      nest_best(moves_due());
       next_nesting_ = std::max(settings_.interruptions.second, 2 * next_nesting_);
       if (best_) search.lower_ceiling(shorter_than_best());
       go_on(next_limit());
@@ -192,8 +213,9 @@ class Packer {
     if (!best_ || length_of(layout) < packing_.length_after) keep(std::move(layout));
   }
 
-  void keep(Marker marker) {
+  void keep(Marker marker, bool compacted = false) {
     packing_.length_after = length_of(marker);
+    compacted_best_ = compacted;
     best_ = std::move(marker);
   }
 
@@ -203,10 +225,28 @@ class Packer {
   double gap_;  // lattice units
   std::optional<Marker> best_;
   bool undecided_{};
-  bool compacted_{};
+  bool compacted_{};                                         // the first layout
+  bool compacted_best_{};                                    // the best one
   std::uint64_t nestings_{}, nested_at_{}, next_nesting_{};  // so far; nodes at the last one and at the next one
   Packing packing_;
 };
+
+// The search uses no overlaps: nothing is proved, and the input, or what motions find that use them, may be shorter.
+void use_overlaps(const Marker& start, const PackSettings& settings, const scene::Run& run, Packing& packing) {
+  packing.bound = 0;
+  packing.proved = false;
+  const bool shorter = !packing.found || length_of(start) < length_of(packing.marker);
+  if (start.unplaced.empty() && shorter && is_valid(start)) {
+    packing.found = true;
+    packing.marker = start;
+  }
+  const OverlapSettings motions{settings.turns, settings.interruptions.moves_at_end};
+  if (auto layout = packed_with_overlaps(packing.marker, motions, run)) {
+    packing.found = true;
+    packing.marker = *std::move(layout);
+  }
+  packing.reason = run.stopped() ? scene::StopReason::kCancelled : scene::StopReason::kWorkLimit;
+}
 
 }  // namespace
 
@@ -217,16 +257,7 @@ Packing pack(const Marker& start, const PackSettings& settings, const scene::Run
   if (settings.turns) bodies::turn_to_lie(cloth.marker, start.pieces.size());
   Packing packing = Packer{cloth.marker, settings, run}.pack();
   packing.marker = packing.found ? bodies::as_in(start, std::move(packing.marker)) : start;
-  // The search uses no overlaps: nothing is proved, and the input may be shorter.
-  if (bodies::allows_overlaps(start)) {
-    packing.bound = 0;
-    packing.proved = false;
-    const bool shorter = !packing.found || length_of(start) < length_of(packing.marker);
-    if (start.unplaced.empty() && shorter && is_valid(start)) {
-      packing.found = true;
-      packing.marker = start;
-    }
-  }
+  if (bodies::allows_overlaps(start)) use_overlaps(start, settings, run, packing);
   packing.length_before = length_of(start);
   packing.length_after = length_of(packing.marker);
   return packing;

@@ -10,9 +10,12 @@
 // marker of these pieces, in the orientations that are searched, is shorter than `bound`, in exact arithmetic
 // (branching/relaxation.h).  (3) Locked pieces stay in place to the lattice unit, groups stay rigid.  (4) The same
 // input and settings give the same answer, whatever the cache holds and however many threads are used.  (5) Cancelled
-// or at its work limit, it returns the best marker and the best bound so far.  (6) The pieces of a layout that it finds
-// do not overlap: where overlap allowances would let them, nothing is proved and the bound is 0, and an input that is
-// shorter because its pieces overlap is the answer.
+// or at its work limit, it returns the best marker and the best bound so far.  (6) The pieces of a layout that the
+// search finds do not overlap: where overlap allowances would let them, nothing is proved, the bound is 0 and the
+// reason kWorkLimit, and the answer is the shortest of that layout, the input, and what a compaction and a nesting that
+// use the allowances make of it (with_overlaps.h).  (7) An answer that is not proved is compacted.  With kConverged and
+// without a proof, the search is over, but some layouts are valid or not only because of rounding or spacings: more
+// nodes do not close the gap between the marker and the bound.
 #pragma once
 
 #include "core/motion/repair/motion_result.h"
@@ -21,12 +24,13 @@
 namespace selvage::packing {
 
 // After how many nodes a search is interrupted for a nesting, and the moves that this may make.  None of it changes
-// what is proved.  The number of nodes is at least 1 in each.
+// what the search proves.  The number of nodes is at least 1 in each.
 struct InterruptionTuning {
   std::uint64_t first{5'000};          // of the first interruption
   std::uint64_t moves_a_piece{1'000};  // of the first nesting
   std::uint64_t second{50'000};        // of the second interruption; later ones come whenever the nodes have doubled
   std::uint64_t nodes_a_move{2};       // later nestings make a move for so many nodes since the one before
+  std::uint64_t moves_at_end{100};     // for each piece, of the nesting after a search that is over and proves nothing
   friend bool operator==(const InterruptionTuning&, const InterruptionTuning&) = default;
 };
 

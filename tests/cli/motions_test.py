@@ -253,6 +253,18 @@ class Separate(CliTest):
         self.assertEqual(ran.returncode, NOT_VALID)
         self.assertEqual(run("check", self.path("out.json")).returncode, NOT_VALID)
 
+    def test_the_summary_names_at_most_twenty_pairs(self):
+        ran = run("separate", self.write(squares(*((k, k) for k in range(8)))), "--rounds", 1)
+        self.assertEqual(ran.returncode, NOT_VALID)
+        lines = [line for line in ran.stdout.splitlines() if line.startswith("  overlapping  ")]
+        self.assertEqual(len(lines), 21)
+        self.assertRegex(lines[0], r"p\d and p\d by [\d.]+ mm")
+        self.assertRegex(lines[-1], r"^  overlapping  \d more pairs?$")
+
+    def test_a_depth_that_was_not_measured_is_not_printed(self):
+        marker = self.write(squares(*((x * 1.11, x * 0.17) for x in range(300))))
+        self.assertNotIn("by 0 mm", run("separate", marker, "--time", "0.001").stdout)
+
     def test_rules_that_leave_no_room_are_named(self):
         document = squares(*((38 * k, 0) for k in range(6)))
         document["shade"] = 50

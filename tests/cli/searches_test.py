@@ -261,6 +261,45 @@ class Pack(CliTest):
         ran = run("pack", self.write(leaning))
         self.assertIn("the shortest, proved (with the present tilts)", ran.stdout)
 
+    def test_the_summary_calls_nothing_the_shortest_that_is_longer_than_its_bound(self):
+        coarse = {"format": "selvage-marker", "version": 1, "strip": {"width": 100}, "resolution": 10, "pieces": [],
+                  "shapes": [{"id": "s", "outline": [[0, 0], [40, 0], [40, 30], [0, 30]]}],
+                  "unplaced": [{"id": f"p{k}", "shape": "s"} for k in range(3)]}
+        coarse["shapes"][0]["rotations"] = [0, 45]
+        ran = run("pack", self.write(coarse))
+        self.assertIn("bound        30 mm, the shortest but for up to 10 mm, proved", ran.stdout)
+
+    def test_the_summary_has_no_bound_where_there_is_no_layout(self):
+        wide = {"format": "selvage-marker", "version": 1, "strip": {"width": 100}, "pieces": [],
+                "shapes": [{"id": "s", "outline": [[0, 0], [40, 0], [40, 130], [0, 130]]}],
+                "unplaced": [{"id": "a", "shape": "s"}]}
+        ran = run("pack", self.write(wide))
+        self.assertIn("bound        no layout, proved\n", ran.stdout)
+
+    def test_the_summary_says_when_more_nodes_do_not_help(self):
+        apart = {"format": "selvage-marker", "version": 1, "strip": {"width": 100}, "spacing": 20, "pieces": [],
+                 "shapes": [{"id": "s", "outline": [[0, 0], [41, 0], [41, 41], [0, 41]]}],
+                 "unplaced": [{"id": "a", "shape": "s"}, {"id": "b", "shape": "s"}]}
+        ran = run("pack", self.write(apart), "--nodes", 1000, "-o", self.path("out.json"))
+        self.assertIn("more nodes do not close the gap", ran.stdout)
+        self.assertIn("converged", ran.stdout)
+        again = json.loads(run("compact", self.path("out.json"), "--json").stdout)
+        self.assertAlmostEqual(again["length_after"], again["length_before"], places=4)
+
+    def test_pieces_that_may_overlap_are_packed_and_placed_with_overlaps(self):
+        lapping = {"format": "selvage-marker", "version": 1, "strip": {"width": 100}, "overlap": 2, "pieces": [],
+                   "shapes": [{"id": "s", "outline": [[0, 0], [51, 0], [51, 51], [0, 51]]}],
+                   "unplaced": [{"id": "a", "shape": "s"}, {"id": "b", "shape": "s"}]}
+        ran = run("pack", self.write(lapping), "-o", self.path("out.json"))
+        self.assertIn("bound        none, because pieces may overlap\n", ran.stdout)
+        self.assertIn("length       0 -> 51 mm", ran.stdout)
+        self.assertIn("work limit", ran.stdout)
+        self.assertEqual(run("check", self.path("out.json")).returncode, OK)
+        for end, verdict, stop in ((60, "found", "converged"), (50, "undecided", "work_limit")):
+            ran = run("contain", self.write(lapping), "--room", f"[[0,0],[{end},100]]", "--json")
+            line = json.loads(ran.stdout)
+            self.assertEqual((line["verdict"], line["stop"], line["valid"]), (verdict, stop, True))
+
     def test_refuses_too_many_pieces(self):
         ran = run("pack", MARKERS / "jeans_06g.json")
         self.assertEqual(ran.returncode, REFUSED)

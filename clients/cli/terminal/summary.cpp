@@ -73,16 +73,50 @@ std::string position_line(const Json& fields, const std::string& unit) {
   return out + by + "\n";
 }
 
-// How far a separation moved the pieces, the overlaps that remain and the pieces that it took off the cloth.
+constexpr std::size_t kMostPairs = 20;  // that a summary names
+constexpr double kNoDifference = 1e-5;  // between a length and its bound: this part of the length
+
+// How far a separation moved the pieces, the overlaps that remain and the pieces that it took off the cloth.  A depth
+// of 0 was not measured.
 std::string separation_lines(const Json& fields, const std::string& unit) {
   std::string out = "  moved        " + significant(fields["moved"].number()) + unit + " in all, " +
                     significant(fields["farthestMove"].number()) + unit + " at most\n";
-  for (const Json& pair : fields["remaining"]) {
-    out += "  overlapping  " + pair["first"].text() + " and " + pair["second"].text() + " by " +
-           significant(pair["depth"].number()) + unit + "\n";
+  const Json& remaining = fields["remaining"];
+  for (std::size_t k = 0; k < std::min(remaining.size(), kMostPairs); ++k) {
+    const Json& pair = remaining[k];
+    const double depth = pair["depth"].number();
+    out += "  overlapping  " + pair["first"].text() + " and " + pair["second"].text() +
+           (depth > 0 ? " by " + significant(depth) + unit : "") + "\n";
+  }
+  if (remaining.size() > kMostPairs) {
+    out += "  overlapping  " + counted(remaining.size() - kMostPairs, "more pair") + "\n";
   }
   for (const Json& id : fields["popped"]) out += "  popped out   " + id.text() + "\n";
   return out;
+}
+
+bool may_overlap(const Marker& marker) {
+  const auto may = [](const Piece& piece) { return piece.overlap > 0; };
+  return marker.overlap > 0 || std::ranges::any_of(marker.pieces, may) || std::ranges::any_of(marker.unplaced, may);
+}
+
+// What an exact search has proved about the length, and how near the bound is.
+std::string bound_text(const Json& fields, const Marker& marker, const std::string& unit) {
+  const double bound = fields["bound"].number();
+  const bool proved = fields["proved"] == true;
+  if (fields["found"] != true) {
+    // Where there is no layout, the bound may be the end of the lattice.
+    const double end = to_decimal(marker.strip.last().value_or(kLatticeLimit), marker.resolution);
+    if (proved || bound >= end) return proved ? "no layout, proved" : "no layout so far";
+    return length_text(bound) + unit + ", no layout so far";
+  }
+  if (bound <= 0) return may_overlap(marker) ? "none, because pieces may overlap" : "none";
+  const double length = fields["lengthAfter"].number();
+  const std::string text = length_text(bound) + unit;
+  if (proved && length - bound <= kNoDifference * length) return text + ", the shortest, proved";
+  if (proved) return text + ", the shortest but for up to " + significant(length - bound) + unit + ", proved";
+  const std::string shorter = text + ", at most " + rounded(100 * (1 - bound / length), 3) + " % shorter";
+  return fields["stop"].text() == "converged" ? shorter + "; more nodes do not close the gap" : shorter;
 }
 
 // What an exact search has proved.  It leaves tilts as they are, so where shapes allow others, that is said.
@@ -90,16 +124,7 @@ std::string search_lines(const Json& fields, const Marker& marker, const std::st
   std::string out;
   if (fields.contains("verdict")) out += "  pieces       " + fields["verdict"].text() + "\n";
   if (fields.contains("bound")) {
-    const double bound = fields["bound"].number();
-    const double length = fields["lengthAfter"].number();
-    out += "  bound        " + length_text(bound) + unit;
-    if (fields["found"] != true) {
-      out += fields["proved"] == true ? ", no layout, proved" : ", no layout so far";
-    } else if (fields["proved"] == true) {
-      out += ", the shortest, proved";
-    } else if (bound > 0) {
-      out += ", at most " + rounded(100 * (1 - bound / length), 3) + " % shorter";
-    }
+    out += "  bound        " + bound_text(fields, marker, unit);
     const bool may_tilt =
         std::ranges::any_of(marker.shapes, [](const Shape& shape) { return shape.tilt_limit.degrees > 0; });
     out += may_tilt ? " (with the present tilts)\n" : "\n";
@@ -187,13 +212,11 @@ std::string plain_figures(const Marker& marker) {
 
 std::string plain_violations(const Marker& marker, const Json& validity) {
   const std::string unit = " " + marker.unit;
-  const bool may_overlap =
-      marker.overlap > 0 || std::ranges::any_of(marker.pieces, [](const Piece& piece) { return piece.overlap > 0; });
   std::string out;
   for (const Json& overlap : validity["overlaps"]) {
     out += "  pieces " + overlap["first"].text() + " and " + overlap["second"].text() +
            (marker.spacing > 0 ? " are too close or overlap" : " overlap") + " by " +
-           significant(overlap["depth"].number()) + unit + (may_overlap ? " too much" : "") + " near (" +
+           significant(overlap["depth"].number()) + unit + (may_overlap(marker) ? " too much" : "") + " near (" +
            length_text(overlap["witness"][0].number()) + ", " + length_text(overlap["witness"][1].number()) + ")\n";
   }
   for (const Json& protrusion : validity["protrusions"]) {

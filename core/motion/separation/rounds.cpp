@@ -145,7 +145,8 @@ void Rounds::restore_best(const Best& start) {
   place(best_.positions);
   move_into_strip(scene_, allowed_);
   if (scene_.pieces.positions() == best_.positions && run_.stopped()) return;
-  if (find_overlaps() && remaining() <= start.remaining) return;
+  // Also when stopped: what the rounds did is lost otherwise, and this takes no longer than the proof of the answer.
+  if (measure_overlaps({}) && remaining() <= start.remaining) return;
   place(start.positions);
   find_overlaps();
 }
@@ -185,12 +186,12 @@ void Rounds::place(std::vector<Vec> positions) {
   known_ = false;
 }
 
-bool Rounds::find_overlaps() {
+bool Rounds::measure_overlaps(const std::stop_token& stop) {
   run_.observer.on_stage(scene::Stage::kVerify);
   overlapping_.clear();
   depth_ = deepest_ = 0;
-  for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), run_.stop)) {
-    if (run_.stopped()) break;
+  for (const marker::PiecePair& pair : conflicts(scene_.pieces, serial(), stop)) {
+    if (stop.stop_requested()) break;
     const repair::SeparationTarget target = separation_target(scene_, pair, settings_.target);
     const auto [price, first_time] = prices_.raised.try_emplace(pair, tuning().overlap_price);
     if (!first_time) price->second = std::min(tuning().highest_price, tuning().price_growth * price->second);
@@ -198,7 +199,7 @@ bool Rounds::find_overlaps() {
     depth_ += target.depth;
     deepest_ = std::max(deepest_, target.depth);
   }
-  return known_ = !run_.stopped();
+  return known_ = !stop.stop_requested();
 }
 
 bool Rounds::repaired() {

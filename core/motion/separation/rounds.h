@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <stop_token>
 #include <vector>
 
 #include "core/motion/separation/leap.h"
@@ -50,7 +51,7 @@ class Rounds {
   // they were at the start.
   void return_towards_start(Separation& total);
   [[nodiscard]] double distance_to_start(const std::vector<Vec>& from) const;
-  // Returns to the best positions found, without the excess length; no worse than the start.
+  // Returns to the best positions found, without the excess length; no worse than the start.  Even when stopped.
   void restore_best(const Best& start);
 
   // Whether so much is left after this many rounds that separation gives up (SeparationTuning::hopeless).
@@ -75,7 +76,9 @@ class Rounds {
   // The overlaps are unknown afterwards.
   void place(std::vector<Vec> positions);
   // Finds all overlapping pairs, exactly.  False when cancelled: then only some of them were found.
-  bool find_overlaps();
+  bool find_overlaps() { return measure_overlaps(run_.stop); }
+  // The same, cancelled by this token.
+  bool measure_overlaps(const std::stop_token& stop);
   // A repair has rows that cannot be violated, so it may part pairs that prices alone leave overlapping.  False, with
   // the pieces where they were, when there is no room within the allowed length, or when cancelled.
   bool repaired();

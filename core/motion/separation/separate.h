@@ -8,8 +8,9 @@
 // Laws.  (1) `apart` is proved in integers.  (2) The marker is never longer than (1 + grow) times its length before,
 // nor than the cloth.  (3) Locked pieces stay in place to the lattice unit.  (4) The same input and settings give the
 // same answer, whatever the cache holds.  (5) If pieces still overlap, the sum of depths is no larger than in the input
-// with its pieces moved into the strip. When cancelled, it skips the final overlap report and returns the best marker
-// found so far, or the input with its pieces moved into the strip if there is none.
+// with its pieces moved into the strip.  When cancelled, it skips the final overlap report and returns the best marker
+// found so far, put back into the allowed length, or the input with its pieces moved into the strip if that overlaps
+// less.
 #pragma once
 
 #include <cstddef>

@@ -127,6 +127,7 @@ class WindowSearch {
     ContainSettings settings;
     settings.limits.nodes = nodes_;
     settings.turns = settings_.turns;
+    settings.overlap_moves = 0;
     const auto found = contain(out->rest, out->wanted, room_until(best.strip, length - shift), settings, run);
     outcome.work = found.work;
     if (found.verdict != Verdict::kFound) return outcome;

@@ -66,6 +66,7 @@ class GapFiller {
     ContainSettings settings;
     settings.limits.nodes = settings_.nodes;
     settings.turns = settings_.turns;
+    settings.overlap_moves = 0;
     return settings;
   }
 

@@ -114,6 +114,42 @@ TEST(Contain, IsUndecidedAtTheWorkLimit) {
   EXPECT_EQ(result.reason, scene::StopReason::kWorkLimit);
 }
 
+// Two squares that fit only because they may overlap each other, a piece that stays, or both.
+TEST(Contain, TriesToUseOverlapAllowances) {
+  test::Layout layout{100'000};
+  const auto square = layout.shape_of(test::rectangle(51'000, 51'000));
+  const auto post = layout.shape_of(test::rectangle(10'000, 100'000));
+  layout.put(post, {20'000, 0}, 0, true).put(square, {200'000, 0}).put(square, {300'000, 0}).put(post, {85'000, 0});
+  Marker marker = layout.marker();
+  marker.overlap = 2'400;
+  for (Shape& shape : marker.shapes) shape.rotations = {Angle{}};
+  const std::vector<PieceId> squares{{1}, {2}};
+  for (const Coord low : {30'000, 28'500}) {
+    const Box room{{low, 0}, {80'000, 100'000}};
+    const Containment result = contained(marker, squares, room);
+    ASSERT_EQ(result.verdict, low == 30'000 ? Verdict::kUndecided : Verdict::kFound);
+    EXPECT_EQ(result.reason, low == 30'000 ? scene::StopReason::kWorkLimit : scene::StopReason::kConverged);
+    if (result.verdict != Verdict::kFound) continue;
+    EXPECT_TRUE(is_valid(result.marker));
+    EXPECT_EQ(result.marker.pieces[0], marker.pieces[0]);
+    EXPECT_EQ(result.marker.pieces[3], marker.pieces[3]);
+    EXPECT_EQ(result.marker.overlap, 2'400);
+    const marker::PlacedPieces pieces{result.marker};
+    for (const PieceId id : squares) EXPECT_TRUE(room.contains(pieces.box(id.value)));
+  }
+  // In a room with a corner cut off, too, and with pieces that were not placed.
+  marker.unplaced.assign(marker.pieces.begin() + 1, marker.pieces.begin() + 3);
+  marker.pieces.erase(marker.pieces.begin() + 1, marker.pieces.begin() + 3);
+  for (Piece& piece : marker.unplaced) piece.locked = Locks{true, true, false};
+  const Container cut{Polygon{{29'000, 0}, {85'000, 0}, {85'000, 95'000}, {81'000, 100'000}, {29'000, 100'000}}};
+  const Containment placed =
+      contained(marker, {bodies::unplaced_piece(marker, 0), bodies::unplaced_piece(marker, 1)}, cut);
+  ASSERT_EQ(placed.verdict, Verdict::kFound);
+  EXPECT_TRUE(is_valid(placed.marker));
+  EXPECT_TRUE(placed.marker.unplaced.empty());
+  EXPECT_EQ(placed.marker.pieces[2].locked, marker.unplaced[0].locked);
+}
+
 // Three pieces side by side fill a slanted channel that is a unit wider than they are: each of them has to give the
 // others a part of that.
 TEST(Contain, PlacesARowThatLeavesAUnitAcross) {

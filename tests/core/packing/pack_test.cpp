@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/marker/validity.h"
@@ -191,6 +193,42 @@ TEST(Pack, NestsInstancesThatItCannotFinishSoon) {
   EXPECT_TRUE(is_valid(packing.marker));
   EXPECT_LT(packing.length_after, length_of(*first) - test::kSquare);
   EXPECT_LE(packing.bound, packing.length_after);
+}
+
+// Spacings are searched a little too narrow, so the search ends without a proof, and its layout is not the shortest.
+TEST(Pack, CompactsWhatItCannotProve) {
+  test::Layout layout{100'000'000};
+  const auto square = layout.shape_of(test::rectangle(41'000'000, 41'000'000));
+  layout.put(square, {0, 0}).put(square, {61'000'000, 0}).spaced(20'000'000);
+  const Packing packing = packed(layout.marker());
+  EXPECT_EQ(packing.reason, scene::StopReason::kConverged);
+  EXPECT_FALSE(packing.proved);
+  EXPECT_TRUE(is_valid(packing.marker));
+  // At 59 mm of the strip's 100 across, the corners are 20 mm apart.
+  const double along = std::sqrt(20.0 * 20.0 - 18.0 * 18.0);
+  EXPECT_NEAR(static_cast<double>(packing.length_after), (82 + along) * 1e6, 100);
+  EXPECT_LT(packing.bound, packing.length_after);
+  EXPECT_GT(packing.bound, 90'000'000);
+}
+
+TEST(Pack, UsesOverlapAllowancesWithoutProvingAnything) {
+  test::Layout layout{100'000};
+  const auto square = layout.shape_of(test::rectangle(51'000, 51'000));
+  layout.put(square, {0, 0}).put(square, {51'000, 0});
+  Marker marker = layout.marker();
+  marker.overlap = 2'400;
+  for (Shape& shape : marker.shapes) shape.rotations = {Angle{}};
+  for (const bool placed : {true, false}) {
+    if (!placed) marker.unplaced = std::exchange(marker.pieces, {});
+    const Packing packing = packed(marker);
+    EXPECT_TRUE(packing.found);
+    EXPECT_TRUE(is_valid(packing.marker));
+    EXPECT_EQ(packing.length_after, 51'000);
+    EXPECT_EQ(packing.marker.overlap, 2'400);
+    EXPECT_FALSE(packing.proved);
+    EXPECT_EQ(packing.bound, 0);
+    EXPECT_EQ(packing.reason, scene::StopReason::kWorkLimit);
+  }
 }
 
 TEST(Pack, ReportsABoundThatRisesAndTheNodesSoFar) {

@@ -7,6 +7,7 @@
 
 #include "core/motion/compaction/compact.h"
 #include "tests/core/motion/markers.h"
+#include "tests/support/random.h"
 
 namespace selvage::motion::separation {
 namespace {
@@ -295,6 +296,39 @@ TEST(Separate, CancelledBetweenRoundsReportsOnTheMarkerItReturns) {
       EXPECT_TRUE(ended || result->apart || result->reason == scene::StopReason::kCancelled) << stop_at;
     }
     EXPECT_TRUE(ended);
+  }
+}
+
+// Forty pieces on a strip that holds hardly more than their area, many of them on top of others.
+Marker crowded() {
+  Layout layout{100'000};
+  const auto bar = layout.shape_of(test::rectangle(18'000, 12'000));
+  const auto wedge = layout.shape_of({{0, 0}, {20'000, 0}, {0, 15'000}});
+  test::Random random{5};
+  for (int k = 0; k < 40; ++k) layout.put(k % 2 == 0 ? bar : wedge, random.point(0, 80'000));
+  return layout.marker();
+}
+
+// In the rounds of a crowded strip the marker is too long, so its pieces are put back into the length at the end.  A
+// separation that is stopped then still returns what its rounds have gained.
+TEST(Separate, KeepsWhatItsRoundsGainedWhenCancelled) {
+  const Marker start = crowded();
+  SumCache sums;
+  for (const int stop_at : {2, 4, 6}) {
+    std::stop_source source;
+    scene::Observer observer;
+    Coord longest = 0;
+    observer.on_round = [&](const scene::Round& round) {
+      longest = std::max(longest, round.length);
+      if (round.number == stop_at) source.request_stop();
+    };
+    const auto stopped = separate(start, {}, {sums, source.get_token(), observer});
+    ASSERT_TRUE(stopped);
+    EXPECT_GT(longest, stopped->length_before);
+    EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
+    EXPECT_EQ(stopped->marker, separated(start, {.rounds = stop_at}).marker) << stop_at;
+    EXPECT_GT(stopped->moved, 0) << stop_at;
+    EXPECT_LE(stopped->length_after, stopped->length_before);
   }
 }
 
