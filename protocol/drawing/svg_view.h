@@ -62,7 +62,7 @@ class Rows {
 // With this number of decimals; and rounded to a hundredth, as short as possible.
 [[nodiscard]] std::string fixed(double value, int decimals);
 [[nodiscard]] std::string pixels(double value);
-// Escapes text for use in an element or an attribute.
+// Escapes text for use in an element or an attribute, with a blank for each character that XML does not have.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 // The approximate width of a text, in units of the font's size.

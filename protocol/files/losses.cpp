@@ -81,10 +81,12 @@ std::vector<Note> losses(const MarkerFile& file, FileFormat format) {
       add_changed_texts(file, format, notes);
       break;
     case FileFormat::kReport: add_changed_texts(file, format, notes); break;
-    case FileFormat::kEsicup:
+    case FileFormat::kEsicup: {
       add_zones(file, notes);
-      if (auto note = trade::esicup::unit_note(file.marker)) notes.push_back(*std::move(note));
+      const std::vector<Note> of_esicup = trade::esicup::esicup_losses(file.marker);
+      notes.insert(notes.end(), of_esicup.begin(), of_esicup.end());
       break;
+    }
     default: break;
   }
   return notes;

@@ -8,8 +8,8 @@
 
 namespace selvage::protocol::files {
 
-// Notes about unplaced pieces that the format does not list, letters and attributes that it does not have, and a unit
-// that it does not know.
+// Notes about unplaced pieces that the format does not list, letters and attributes that it does not have, a unit that
+// it does not know, and what ESICUP XML cannot say of a layout.
 [[nodiscard]] std::vector<Note> losses(const MarkerFile& file, FileFormat format);
 
 }  // namespace selvage::protocol::files

@@ -282,6 +282,66 @@ Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes
   return file;
 }
 
+std::optional<Resolution> read_resolution(json::Fields& fields, json::Mistake& mistake) {
+  const auto value = fields.maybe_number("resolution");
+  if (!value) return std::nullopt;
+  for (int exponent = geometry::kFinestExponent; exponent <= geometry::kCoarsestExponent; ++exponent) {
+    if (to_decimal(1, Resolution{exponent}) == *value) return Resolution{exponent};
+  }
+  mistake.add(ErrorCode::kOutOfRange, json::number_text(*value) + " is not a power of ten between 1e-22 and 1e6",
+              fields.pointer("resolution"));
+  return std::nullopt;
+}
+
+namespace {
+
+Decimal decimal_point(Vec point, Resolution resolution) {
+  return {to_decimal(point.x, resolution), to_decimal(point.y, resolution)};
+}
+
+// The lengths of a marker without its unplaced pieces; what does not concern its resolution is left out.
+DecimalMarker decimal_lengths(const Marker& marker) {
+  const Resolution resolution = marker.resolution;
+  const auto decimal = [resolution](Coord length) { return to_decimal(length, resolution); };
+  DecimalMarker written;
+  written.width = decimal(marker.strip.width);
+  written.spacing = decimal(marker.spacing);
+  written.overlap = decimal(marker.overlap);
+  written.margin = decimal(marker.strip.margin);
+  if (marker.strip.longest) written.longest = decimal(*marker.strip.longest);
+  if (marker.strip.below) written.below = decimal(*marker.strip.below);
+  if (marker.strip.above) written.above = decimal(*marker.strip.above);
+  written.repeat = decimal_repeat(marker.strip.repeat, resolution);
+  if (marker.shade) written.shade = decimal(*marker.shade);
+  for (const Shape& shape : marker.shapes) {
+    DecimalShape& added = written.shapes.emplace_back();
+    added.shape.id = shape.id;
+    for (const Vec corner : shape.outline) added.outline.push_back(decimal_point(corner, resolution));
+  }
+  const auto piece_of = [&](const Piece& piece) {
+    DecimalPiece added;
+    added.piece.orientation = piece.orientation;
+    added.shape = marker.shapes[piece.shape.value].id;
+    added.at = decimal_point(piece.at, resolution);
+    added.buffer = decimal(piece.buffer);
+    if (piece.overlap) added.overlap = decimal(*piece.overlap);
+    added.rules = decimal_rules(piece.rules, resolution);
+    return added;
+  };
+  for (const Piece& piece : marker.pieces) written.pieces.push_back(piece_of(piece));
+  return written;
+}
+
+}  // namespace
+
+Resolution resolution_chosen_for(const Marker& marker) {
+  const DecimalMarker written = decimal_lengths(marker);
+  const auto shapes = index_shapes(written);
+  if (!shapes) return marker.resolution;
+  const auto chosen = settle_resolution(written, survey(written, *shapes));
+  return chosen ? *chosen : marker.resolution;
+}
+
 Decimal read_point(const Json& value, const std::string& at, json::Mistake& mistake) {
   if (!value.is_array() || value.size() != 2) {
     mistake.add(ErrorCode::kWrongType, json::shortened(value) + " where a point [x, y] is required", at);

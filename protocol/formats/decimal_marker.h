@@ -55,6 +55,12 @@ inline constexpr double kFarthest = 1e5;
 [[nodiscard]] Result<MarkerFile> on_lattice(const DecimalMarker& written, document::Attributes attributes,
                                             Format format);
 
+// The field `resolution`: a power of ten that a lattice can have.
+[[nodiscard]] std::optional<Resolution> read_resolution(json::Fields& fields, json::Mistake& mistake);
+// The resolution that on_lattice chooses for the marker, if its numbers are written without one and without those of
+// its unplaced pieces.
+[[nodiscard]] Resolution resolution_chosen_for(const Marker& marker);
+
 // One shape; repairs are added to the notes.  REQUIRES: its coordinates fit the lattice.
 // Errors: those of clean_polygon, below "/shapes/<index>/outline".
 [[nodiscard]] Result<Shape> shape_on_lattice(const DecimalShape& written, std::size_t index, Resolution resolution,

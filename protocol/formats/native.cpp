@@ -73,18 +73,6 @@ DecimalPiece read_piece(const Json& value, const std::string& at, json::Mistake&
   return piece;
 }
 
-// A resolution is a power of ten that a lattice can have.
-std::optional<Resolution> read_resolution(json::Fields& fields, json::Mistake& mistake) {
-  const auto value = fields.maybe_number("resolution");
-  if (!value) return std::nullopt;
-  for (int exponent = geometry::kFinestExponent; exponent <= geometry::kCoarsestExponent; ++exponent) {
-    if (to_decimal(1, Resolution{exponent}) == *value) return Resolution{exponent};
-  }
-  mistake.add(ErrorCode::kOutOfRange, json::number_text(*value) + " is not a power of ten between 1e-22 and 1e6",
-              fields.pointer("resolution"));
-  return std::nullopt;
-}
-
 void read_heading(json::Fields& fields, json::Mistake& mistake) {
   constexpr std::string_view kNames[] = {kNativeName};
   if (!fields.has("format")) (void)fields.text("format");

@@ -302,6 +302,7 @@ Result<MarkerFile> read_sparrow(const Json& written) {
   json::Fields fields{document, "", reading.mistake};
   marker.name = fields.text_or("name", "");
   marker.unit = fields.text_or("units", "mm");
+  marker.resolution = read_resolution(fields, reading.mistake);
   reading.solved = fields.has("solution");
   for (const Json& value : fields.array("items")) {
     if (reading.mistake) return reading.mistake.error();
@@ -427,6 +428,8 @@ Result<Json> sparrow_document(const MarkerFile& file) {
   Json document{{"name", marker.name}};
   add_attributes(document, file.attributes.whole);
   document["units"] = marker.unit;
+  document.erase("resolution");  // an attribute of that name, in a native file, could not be read again
+  if (marker.resolution != resolution_chosen_for(marker)) document["resolution"] = to_decimal(1, marker.resolution);
   document["items"] = std::move(items);
   document["strip_height"] = to_decimal(marker.strip.width, marker.resolution);
   if (marker.strip.longest) document["longest"] = to_decimal(*marker.strip.longest, marker.resolution);

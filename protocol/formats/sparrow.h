@@ -14,8 +14,9 @@
 // the part of the demand that is not placed; nothing else is kept of them.
 //
 // Fields that the format does not define are kept and written back, but for nulls, which count as absent.  Of these,
-// Selvage reads: units, spacing, longest and others of the strip (whole form); tilt_limit_deg (item); id, locked,
-// tilt_deg (placed item).
+// Selvage reads: units, resolution, spacing, longest and others of the strip (whole form); tilt_limit_deg (item); id,
+// locked, tilt_deg (placed item).  The resolution is written where the numbers alone would lead to another, on which
+// the corners of turned pieces would be rounded to other places.
 #pragma once
 
 #include "core/base/result.h"

@@ -93,6 +93,36 @@ class Convert(unittest.TestCase):
             ran = self.convert(source, self.path(name))
             self.assertEqual("1 unplaced piece is left out" in ran.stderr, noted, name)
 
+    def test_valid_markers_stay_valid_in_sparrow_and_esicup_files(self):
+        coarse = {"resolution": 0.01, "strip": {"width": 60}, "spacing": 0.5, "shapes": [
+            {"id": "a", "outline": [[0, 0], [8.3, 0], [8.3, 10.23], [0, 10.23]]},
+            {"id": "b", "rotations": [30, 210], "outline": [[0, 0], [17, 0], [17, 30.11], [11.42, 30.11], [11.42, 15.8],
+                                                            [4.98, 15.8], [4.98, 30.11], [0, 30.11]]}],
+            "pieces": [{"id": "p", "shape": "a", "at": [72.37, 0]},
+                       {"id": "q", "shape": "b", "at": [56.82, 35.51], "rotation": 210}]}
+        fine = {"resolution": 1e-9, "strip": {"width": 1}, "shapes": [
+            {"id": "a", "outline": [[0, 0], [0.2354, 0], [0.2354, 0.3276], [0.21183, 0.3276], [0.21183, 0.15993],
+                                    [0.03577, 0.15993], [0.03577, 0.3276], [0, 0.3276]]},
+            {"id": "b", "outline": [[0, 0], [0.2151, 0], [0.18093, 0.33]], "flip": True}],
+            "pieces": [{"id": "p", "shape": "a", "at": [0, 0]}, {"id": "q", "shape": "a", "at": [0, 0.332199852]},
+                       {"id": "r", "shape": "b", "at": [0.234193883, 0.33]},
+                       {"id": "s", "shape": "b", "at": [0.234084147, 0.33], "flip": True}]}
+        tilted = {"resolution": 1e-7, "strip": {"width": 150}, "shapes": [
+            {"id": "a", "tilt_limit": 0.1, "outline": [[17.363, 4.102], [6.2, 17.857], [-1.742, 40.885], [-2.969, 5.717],
+                                                       [-17.363, -4.102], [-5.335, -15.363], [1.742, -40.885],
+                                                       [6.12, -11.783]]}],
+            "pieces": [{"id": "p", "shape": "a", "at": [95.9868428, 102.7537366], "tilt": 0.1},
+                       {"id": "q", "shape": "a", "at": [91.6558142, 40.8818974], "tilt": 0.1},
+                       {"id": "r", "shape": "a", "at": [70.3673259, 109.1181026], "tilt": 0.1}]}
+        for marker, form in ((coarse, "sparrow"), (tilted, "sparrow"), (fine, "esicup"), (tilted, "esicup")):
+            source, target = self.path("m.json"), self.path("o." + ("xml" if form == "esicup" else "json"))
+            source.write_text(json.dumps({"format": "selvage-marker", "version": 1, **marker}))
+            with self.subTest(form=form, width=marker["strip"]["width"]):
+                self.assertEqual(run("check", source).returncode, 0)
+                self.convert(source, target, "--format", form)
+                checked = run("check", target)
+                self.assertEqual(checked.returncode, 0, checked.stdout)
+
     def test_reading_options(self):
         out = self.path("o.json")
         self.convert(EXAMPLES / "richpeace_like.dxf", out, "--rules", EXAMPLES / "richpeace_like.rul", "--sizes", "M,XL", "--width", 1400,

@@ -99,6 +99,48 @@ class Nesting(unittest.TestCase):
         self.assertTrue(self.judge(60, solution.width, outlines))
         self.assertAlmostEqual(solution.density, (3 * 975 + 2 * 400) / (60 * solution.width))
 
+    def test_rotations_in_single_precision_are_those_of_the_item(self):
+        items = [spyrrow.Item("turned", SQUARE, 4, [0.0, 30.0]), spyrrow.Item("upright", SQUARE, 1, []),
+                 spyrrow.Item("free", SQUARE, 1, None)]
+        strip = spyrrow.StripPackingInstance("noisy", 100.0, items)
+
+        def opened(*rotations):
+            placed_items = [spyrrow.PlacedItem(id, (30.0 * k + 20, 20.0), rotation)
+                            for k, (id, rotation) in enumerate(rotations)]
+            marker = spyrrow.marker(strip, spyrrow.StripPackingSolution(200, 0.1, placed_items))
+            with selvage_client.Client(self.daemon.address) as client, client.open(marker) as opened:
+                return [piece.get("rotation", 0) for piece in opened.get(format="native").marker["pieces"]]
+
+        self.assertEqual(
+            opened(("turned", 30.000001907348633), ("turned", -330.0005), ("turned", 359.99999), ("turned", 390.0),
+                   ("upright", -1e-6), ("free", 29.99999)),
+            [30, 30, 0, 30, 0, 29.99999])
+        with self.assertRaises(selvage_client.CallError) as raised:
+            opened(("turned", 30.002))
+        self.assertIn("/pieces/0/rotation", str(raised.exception))
+
+    def test_zones_of_the_cloth_are_no_items(self):
+        document = {"format": "selvage-marker", "version": 1, "strip": {"width": 40},
+                    "shapes": [{"id": "square", "outline": SQUARE},
+                               {"id": "flaw", "outline": [[0, 0], [90, 0], [90, 5], [0, 5]]}],
+                    "pieces": [{"id": "1", "shape": "square", "at": [0, 20]},
+                               {"id": "2", "shape": "flaw", "at": [0, 0], "rules": {"zone": True, "quality": 2}}]}
+        found = spyrrow.solution(document)
+        self.assertEqual([item.id for item in found.placed_items], ["square"])
+        self.assertEqual((found.width, found.density), (20, 0.5))
+
+    def test_a_negative_number_of_copies_is_refused(self):
+        with self.assertRaises(ValueError) as raised:
+            selvage_client.nest([selvage_client.Pattern(outline=SQUARE, name="cuff", quantity=-1), ELL], 60,
+                                moves=200, address=self.daemon.address)
+        self.assertIn("quantity of pattern 'cuff' is -1; 0 or a larger whole number is allowed", str(raised.exception))
+        with self.assertRaises(ValueError) as raised:
+            spyrrow.Item("cuff", SQUARE, -1, [])
+        self.assertIn("demand of item 'cuff' is -1; 0", str(raised.exception))
+        found = selvage_client.nest([selvage_client.Pattern(outline=SQUARE, quantity=0), ELL], 60, moves=200,
+                                    address=self.daemon.address)
+        self.assertEqual([piece.pattern for piece in found.pieces], [1])
+
     def test_a_configuration_has_one_kind_of_budget(self):
         self.assertEqual(spyrrow.StripPackingConfig().exploration_time.total_seconds(), 480)
         parts = spyrrow.StripPackingConfig(total_computation_time=None, exploration_time=3, compression_time=1)

@@ -10,6 +10,7 @@
 #include "protocol/json/fields.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/esicup/esicup.h"
+#include "protocol/trade/esicup/esicup_numbers.h"
 #include "protocol/trade/style_marker.h"
 #include "protocol/trade/text.h"
 
@@ -96,13 +97,15 @@ class NestingReader {
         return Error{ErrorCode::kUnknownShape, "piece " + json::shortened(Json(id)) + " has no polygon", ""};
       }
       const Spot offset{number(component, "xOffset"), -number(component, "yOffset")};
-      for (const Spot& point : polygon->second) read.outline.push_back({point.x + offset.x, point.y + offset.y});
+      for (const Spot& point : polygon->second) {
+        read.outline.push_back({difference(point.x, -offset.x), difference(point.y, -offset.y)});
+      }
       if (component.next_sibling("component")) {
         style_.notes.push_back(
             {"", "piece " + json::shortened(Json(id)) + " has several components; the first counts"});
       }
       for (const pugi::xml_node& angle : piece.child("orientation").children("enumeration")) {
-        read.angles.push_back(std::fmod(360 - number(angle, "angle"), 360.0));
+        read.angles.push_back(reversed_angle(number(angle, "angle")));
       }
       if (read.angles.empty()) read.angles.push_back(0);
       all += static_cast<std::size_t>(std::max(read.quantity, 0));
@@ -129,7 +132,7 @@ class NestingReader {
       low = std::min(low, point.y);
       high = std::max(high, point.y);
     }
-    if (high > low) board_ = high - low;
+    if (high > low) board_ = difference(high, low);
   }
 
   // The solution whose pieces reach least far, among those that place something.
@@ -192,7 +195,7 @@ class NestingReader {
     formats::DecimalPiece piece;
     piece.shape = id;
     piece.piece.id = id + " " + std::to_string(++written.copies[id]);
-    const double degrees = std::fmod(360 - number(placement, "angle"), 360.0);
+    const double degrees = reversed_angle(number(placement, "angle"));
     const auto& allowed = lot_.at(id).angles;
     if (std::find(allowed.begin(), allowed.end(), degrees) == allowed.end()) {
       style_.notes.push_back({"", piece.piece.id + " lies at an angle that its piece does not list; it is allowed"});
@@ -200,8 +203,7 @@ class NestingReader {
       written.marker.shapes[known].shape.rotations.push_back(Angle::of_degrees(degrees));
     }
     piece.piece.orientation.rotation = Angle::of_degrees(degrees);
-    const Spot at = rounded(Spot{number(placement, "x"), written.marker.width - number(placement, "y")});
-    piece.at = {at.x, at.y};
+    piece.at = {number(placement, "x"), difference(written.marker.width, number(placement, "y"))};
     written.marker.pieces.push_back(std::move(piece));
     written.attributes.pieces.push_back(Json::object());
   }

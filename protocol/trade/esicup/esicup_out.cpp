@@ -2,11 +2,14 @@
 #include <iterator>
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 #include <sstream>
 
+#include "protocol/document/xml_text.h"
 #include "protocol/formats/decimal_marker.h"
 #include "protocol/json/json_text.h"
 #include "protocol/trade/esicup/esicup.h"
+#include "protocol/trade/esicup/esicup_numbers.h"
 
 namespace selvage::protocol::trade::esicup {
 namespace {
@@ -33,11 +36,12 @@ class NestingWriter {
   std::string write() {
     pugi::xml_node nesting = document_.append_child("nesting");
     nesting.append_attribute("xmlns") = "http://www.fe.up.pt/~esicup/nesting.xsd";
-    child(nesting, "name", marker_.name);
+    child(nesting, "name", document::xml_text(marker_.name));
     child(nesting, "author", "Selvage");
     child(nesting, "verticesOrientation", "clockwise");  // counter-clockwise, with y downwards
     child(nesting, "coordinatesOrigin", "up-left");
     count_copies();
+    choose_ids();
     pugi::xml_node problem = nesting.append_child("problem");
     write_board(problem.append_child("boards"));
     pugi::xml_node lot = problem.append_child("lot");
@@ -72,17 +76,44 @@ class NestingWriter {
     return json::number_text(
         to_decimal(coord * steps->count, Resolution{std::max(exponent, geometry::kFinestExponent)}) / finest);
   }
-  [[nodiscard]] std::string id_of(const Key& key) const {
-    return marker_.shapes[key.first].id + (key.second ? "_L" : "");
+  static Key key_of(const Piece& piece) { return {piece.shape.value, piece.orientation.flip}; }
+  static double angle_of(const Piece& piece) {
+    return piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
   }
-  // The other way round, since y points down.
-  static std::string angle_text(double degrees) { return json::number_text(degrees == 0 ? 0 : 360 - degrees); }
+  static std::string angle_text(double degrees) { return json::number_text(reversed_angle(degrees)); }
 
   void count_copies() {
-    for (const Piece& piece : marker_.pieces) {
-      if (!piece.rules.zone) ++copies_[{piece.shape.value, piece.orientation.flip}];
+    for (const auto* pieces : {&marker_.pieces, &marker_.unplaced}) {
+      for (const Piece& piece : *pieces) {
+        if (piece.rules.zone) continue;
+        ++copies_[key_of(piece)];
+        angles_[key_of(piece)].push_back(angle_of(piece));
+      }
     }
-    for (const Piece& piece : marker_.unplaced) ++copies_[{piece.shape.value, piece.orientation.flip}];
+  }
+
+  // Ids that differ, although one may be another's with the mark of a mirrored shape, and those of two may contain
+  // different characters that XML does not have.
+  void choose_ids() {
+    std::set<std::string> taken;
+    for (const auto& [key, copies] : copies_) {
+      const std::string wanted = document::xml_text(marker_.shapes[key.first].id) + (key.second ? "_L" : "");
+      std::string id = wanted;
+      for (int number = 2; !taken.insert(id).second; ++number) id = wanted + " " + std::to_string(number);
+      ids_.emplace(key, std::move(id));
+    }
+  }
+
+  // Those that the shape allows; if it allows any, those of its pieces.
+  [[nodiscard]] std::vector<std::string> angles_of(const Key& key) const {
+    std::vector<double> degrees;
+    for (const Angle angle : marker_.shapes[key.first].rotations) degrees.push_back(angle.degrees);
+    std::vector<std::string> angles;
+    std::set<std::string> listed;
+    for (const double angle : degrees.empty() ? angles_.at(key) : degrees) {
+      if (listed.insert(angle_text(angle)).second) angles.push_back(angle_text(angle));
+    }
+    return angles;
   }
 
   void write_board(pugi::xml_node boards) {
@@ -100,11 +131,11 @@ class NestingWriter {
 
   void write_lot_piece(pugi::xml_node& lot, const Key& key, int copies, const std::string& polygon) {
     pugi::xml_node piece = lot.append_child("piece");
-    piece.append_attribute("id") = id_of(key).c_str();
+    piece.append_attribute("id") = ids_.at(key).c_str();
     piece.append_attribute("quantity") = copies;
     pugi::xml_node orientation = piece.append_child("orientation");
-    for (const Angle angle : marker_.shapes[key.first].rotations) {
-      orientation.append_child("enumeration").append_attribute("angle") = angle_text(angle.degrees).c_str();
+    for (const std::string& angle : angles_of(key)) {
+      orientation.append_child("enumeration").append_attribute("angle") = angle.c_str();
     }
     write_component(piece, polygon);
   }
@@ -130,11 +161,10 @@ class NestingWriter {
     for (const Piece& piece : marker_.pieces) {
       if (piece.rules.zone) continue;
       pugi::xml_node placement = solution.append_child("placement");
-      const double degrees = piece.orientation.rotation.degrees + piece.orientation.tilt.degrees;
-      placement.append_attribute("angle") = angle_text(degrees).c_str();
+      placement.append_attribute("angle") = angle_text(angle_of(piece)).c_str();
       placement.append_attribute("boardNumber") = 1;
       placement.append_attribute("idBoard") = "board0";
-      placement.append_attribute("idPiece") = id_of({piece.shape.value, piece.orientation.flip}).c_str();
+      placement.append_attribute("idPiece") = ids_.at(key_of(piece)).c_str();
       placement.append_attribute("mirror") = "none";
       placement.append_attribute("x") = decimal(piece.at.x).c_str();
       placement.append_attribute("y") = decimal(marker_.strip.width - piece.at.y).c_str();
@@ -143,10 +173,17 @@ class NestingWriter {
 
   const Marker& marker_;
   std::map<Key, int> copies_;
+  std::map<Key, std::vector<double>> angles_;  // of the copies, degrees
+  std::map<Key, std::string> ids_;
   pugi::xml_document document_;
 };
 
 }  // namespace
+
+bool converts_unit(const Marker& marker) {
+  const Steps* const steps = steps_of(marker.unit);
+  return steps != nullptr && steps->unit != "mm";
+}
 
 std::optional<Note> unit_note(const Marker& marker) {
   const Steps* const steps = steps_of(marker.unit);

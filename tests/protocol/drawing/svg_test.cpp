@@ -129,6 +129,20 @@ TEST(Svg, EscapesNames) {
   EXPECT_NE(svg.find("&lt;script&gt;&amp;&quot;"), std::string::npos);
 }
 
+TEST(Svg, WritesABlankForACharacterThatXmlDoesNotHave) {
+  Json document = test::native_squares();
+  document["pieces"][0]["id"] =
+      "a\x01"
+      "b\xef\xbf\xbf"
+      "c\xef\xbf\xbe"
+      "d\xef\xbf\xbd"
+      "e\n";
+  const std::string svg = to_svg(test::read(document).marker);
+  EXPECT_NE(svg.find(">a b c d\xef\xbf\xbd"
+                     "e </"),
+            std::string::npos);
+}
+
 TEST(Svg, IsAsWideAsItsCaption) {
   Json document = test::native_squares();
   document["name"] = std::string(200, 'n');

@@ -119,6 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadInput{"DemandTooLarge", "/items/0/demand", "20001", kOutOfRange, "/items/0/demand"},
                     BadInput{"HeightMissing", "/strip_height", nullptr, kMissingField, "/strip_height"},
                     BadInput{"TooWide", "/strip_height", "20", kPieceTooWide, "/solution/layout/placed_items/0"},
+                    BadInput{"ResolutionOdd", "/resolution", "0.02", kOutOfRange, "/resolution"},
                     BadInput{"Rectangle", "/items/0/shape", R"({"type": "rectangle", "data": {}})", kOutOfRange,
                              "/items/0/shape/type"},
                     BadInput{"MultiPolygon", "/items/0/shape", R"({"type": "multi_polygon", "data": []})", kOutOfRange,

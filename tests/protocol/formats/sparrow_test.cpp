@@ -219,6 +219,29 @@ TEST(Sparrow, CarriesIdsLocksAndSpacingOfANativeMarker) {
   EXPECT_EQ(back.marker.shade, file.marker.shade);
 }
 
+TEST(Sparrow, KeepsAResolutionThatItsReaderWouldNotChoose) {
+  Json native = test::native_squares();
+  native["shapes"][0]["rotations"] = json("[30, 210]");
+  for (const std::size_t piece : {0, 1}) native["pieces"][piece]["rotation"] = 30;
+  native["pieces"][0]["at"] = json("[20, 0]");
+  native["pieces"][1]["at"] = json("[54.64, 20]");
+  for (const char* resolution : {"0.01", "1e-8"}) {
+    native["resolution"] = json(resolution);
+    const MarkerFile file = test::read(native);
+    const auto written = sparrow_document(file);
+    ASSERT_TRUE(written);
+    EXPECT_EQ((*written)["resolution"], json(resolution));
+    const MarkerFile back = test::read(*written);
+    EXPECT_EQ(back.marker.resolution, file.marker.resolution);
+    for (const PieceId piece : {PieceId{0}, PieceId{1}}) {
+      EXPECT_EQ(placed_outline(back.marker, piece), placed_outline(file.marker, piece));
+    }
+    EXPECT_EQ(*sparrow_document(back), *written);
+  }
+  native["resolution"] = 1e-7;  // as it would be chosen
+  EXPECT_EQ(sparrow_document(test::read(native))->find("resolution"), nullptr);
+}
+
 TEST(Sparrow, CannotExpressAFlippedPiece) {
   Json native = test::native_squares();
   native["shapes"][0]["flip"] = true;

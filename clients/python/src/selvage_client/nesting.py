@@ -23,8 +23,9 @@ class Pattern:
     """A shape to be nested and the number of copies.
 
     `outline`: at least three points, in either direction, in any length unit that all patterns share; the first point may
-    be repeated at the end.  `rotations`: the allowed rotations in degrees, or "any".  `flip`: whether copies may be
-    mirrored.
+    be repeated at the end.  `quantity`: the number of copies; a pattern with 0 is kept, but none of it is nested.
+    `rotations`: the allowed rotations in degrees, or "any".  `flip`: whether copies may be mirrored.  Raises ValueError
+    for a negative quantity.
     """
 
     outline: Outline
@@ -32,6 +33,10 @@ class Pattern:
     quantity: int = 1
     rotations: Sequence[float] | Literal["any"] = (0.0,)
     flip: bool = False
+
+    def __post_init__(self) -> None:
+        if self.quantity < 0:
+            raise ValueError(f"quantity of pattern {self.name!r} is {self.quantity}; 0 or a larger whole number is allowed")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -25,12 +25,15 @@ import random
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
 from datetime import timedelta
-from typing import Any, Protocol
+from typing import Any, Literal, Protocol
 
 from .nesting import Pattern, area, nest, opened
 from .wire.address import DEFAULT
 
 Point = tuple[float, float]
+
+_ANGLE_SLACK = 1e-3
+"""Degrees; a quarter turn in single precision is far closer than this.  Sparrow files are read with the same."""
 
 address: str = DEFAULT
 """Where the daemon listens: HOST:PORT, tls://HOST:PORT or unix:PATH."""
@@ -38,12 +41,19 @@ address: str = DEFAULT
 
 @dataclass
 class Item:
-    """A shape, the number of copies, and the allowed rotations in degrees: empty for 0 only, None for any."""
+    """A shape, the number of copies, and the allowed rotations in degrees: empty for 0 only, None for any.
+
+    Raises ValueError for a negative demand.
+    """
 
     id: str
     shape: Sequence[Point]
     demand: int
     allowed_orientations: Sequence[float] | None
+
+    def __post_init__(self) -> None:
+        if self.demand < 0:
+            raise ValueError(f"demand of item {self.id!r} is {self.demand}; 0 or a larger whole number is allowed")
 
     def to_json_str(self) -> str:
         return json.dumps(asdict(self))
@@ -162,8 +172,10 @@ class AnySolution(Protocol):
 def marker(instance: AnyInstance, solution: AnySolution, *, separation: float = 0.0) -> dict[str, Any]:
     """The solution as a marker in the native format; `separation` is the least distance between two items.
 
-    The first motion repairs small overlaps, which nesting programs leave because they compute in floating point.
+    A rotation within 0.001 degrees of an allowed one becomes that one, because nesting programs compute in single
+    precision.  The first motion repairs small overlaps, which they leave for the same reason.
     """
+    allowed = {item.id: _rotations(item) for item in instance.items}
     copies: dict[str, int] = {}
     pieces: list[dict[str, Any]] = []
     for placed in solution.placed_items:
@@ -173,7 +185,7 @@ def marker(instance: AnyInstance, solution: AnySolution, *, separation: float = 
                 "id": f"{placed.id}/{copies[placed.id]}",
                 "shape": placed.id,
                 "at": list(placed.translation),
-                "rotation": placed.rotation,
+                "rotation": _nearest(placed.rotation, allowed.get(placed.id, "any")),
             }
         )
     return {
@@ -188,7 +200,7 @@ def marker(instance: AnyInstance, solution: AnySolution, *, separation: float = 
 
 
 def solution(document: dict[str, Any]) -> StripPackingSolution:
-    """A marker in the native format as a solution; tilts are part of the rotation.
+    """A marker in the native format as a solution; tilts are part of the rotation, and zones of the cloth are left out.
 
     Raises ValueError for a flipped piece, which a solution of spyrrow cannot express.
     """
@@ -196,6 +208,8 @@ def solution(document: dict[str, Any]) -> StripPackingSolution:
     placed: list[PlacedItem] = []
     used, width = 0.0, 0.0
     for piece in document["pieces"]:
+        if piece.get("rules", {}).get("zone"):
+            continue
         if piece.get("flip"):
             raise ValueError(f"piece {piece['id']!r} is flipped, which a solution of spyrrow cannot express")
         rotation = float(piece.get("rotation", 0)) + float(piece.get("tilt", 0))
@@ -209,5 +223,18 @@ def solution(document: dict[str, Any]) -> StripPackingSolution:
 
 
 def _shape(item: AnyItem) -> dict[str, Any]:
+    return {"id": item.id, "outline": opened(item.shape), "rotations": _rotations(item)}
+
+
+def _rotations(item: AnyItem) -> list[float] | Literal["any"]:
     allowed = item.allowed_orientations
-    return {"id": item.id, "outline": opened(item.shape), "rotations": "any" if allowed is None else list(allowed) or [0.0]}
+    return "any" if allowed is None else list(allowed) or [0.0]
+
+
+def _nearest(rotation: float, allowed: list[float] | Literal["any"]) -> float:
+    """The allowed rotation within 0.001 degrees, up to whole turns; `rotation` itself if there is none."""
+    if allowed == "any":
+        return rotation
+    distances = [(abs(math.remainder(rotation - angle, 360.0)), angle) for angle in allowed]
+    distance, nearest = min(distances)
+    return nearest if distance <= _ANGLE_SLACK else rotation
