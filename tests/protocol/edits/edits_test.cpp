@@ -198,14 +198,18 @@ TEST(Edits, MovesThatAddUpBeyondTheLatticeAreRefused) {
 }
 
 TEST(Edits, WhatTheyLeaveCanBeReadAgain) {
-  // As far as the strip's width allows, a piece may lie, but not reach beyond; and no strip may become too narrow.
-  const auto width = to_decimal(loose().marker.strip.width, loose().marker.resolution);
-  const std::string far = json::number_text(1e5 * width);
-  const auto beyond = edited(loose(), "{'op':'move','piece':'left','at':[" + far + ",0]}");
+  // A piece may lie as far as the strip's width allows, but not reach farther; and no strip becomes too narrow for it.
+  Json document = test::native_squares();
+  document["resolution"] = 0.001;
+  const MarkerFile file = test::read(document);
+  const auto width = to_decimal(file.marker.strip.width, file.marker.resolution);
+  const auto moved_to = [&](double x) {
+    return edited(file, "{'op':'move','piece':'left','at':[" + json::number_text(x) + ",0]}");
+  };
+  const auto beyond = moved_to(1e5 * width);
   ASSERT_FALSE(beyond);
   EXPECT_EQ(beyond.error().code, ErrorCode::kBeyondLattice);
-  const std::string half = json::number_text(5e4 * width);
-  const auto halfway = edited(loose(), "{'op':'move','piece':'left','at':[" + half + ",0]}");
+  const auto halfway = moved_to(5e4 * width);
   ASSERT_TRUE(halfway) << halfway.error().message;
   const auto narrower = edited(*halfway, "{'op':'setStrip','width':" + json::number_text(width / 4) + "}");
   ASSERT_FALSE(narrower);
