@@ -214,9 +214,11 @@ class ClothMaker {
     }
   }
   // Rotates the piece about the middle of its box if it lies against its nap and its shape allows the other direction.
+  // Locks say what may not change, and a group keeps its form: make_marker refuses such pieces where they lie against
+  // the nap.
   bool turn_with_nap(Piece& piece) const {
     const Shape& shape = file_.marker.shapes[piece.shape.value];
-    if (keeps_nap(piece.rules, piece.orientation) || piece.locked) return false;
+    if (keeps_nap(piece.rules, piece.orientation) || piece.locked != Locks{} || !piece.group.empty()) return false;
     constexpr double kHalf = 180, kSlack = 1e-9;
     Orientation turned = piece.orientation;
     turned.rotation = Angle::of_degrees(std::remainder(turned.rotation.degrees + kHalf, 2 * kHalf));

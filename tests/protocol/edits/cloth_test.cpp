@@ -99,6 +99,18 @@ TEST(Cloth, ImpossibleNapIsRefused) {
   EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, bare), "/napDirection");
 }
 
+TEST(Cloth, NapTurnsNoPieceWithALockOrAGroup) {
+  for (const Locks locks : {Locks{true, false, false}, Locks{false, true, false}, Locks{false, false, true}}) {
+    MarkerFile locked = two_bundles();
+    locked.marker.pieces[2].locked = locks;
+    EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, locked), "/pieces/2/rules/nap");
+  }
+  MarkerFile grouped = two_bundles();
+  grouped.marker.pieces[1].group = grouped.marker.pieces[2].group = "g";
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, grouped), "/pieces/2/rules/nap");
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kUp}, grouped), "");
+}
+
 Cloth with_zones(std::vector<protocol::edits::ClothZone> zones) {
   Cloth cloth;
   cloth.zones = std::move(zones);
