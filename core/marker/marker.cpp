@@ -143,7 +143,8 @@ std::optional<Error> settle_part(const Marker& marker, Piece& piece, const std::
 }
 
 // Whether some orientation that the shape lists has a side for the fold; of a shape that turns freely, any may.
-bool may_lie_on_fold(const Shape& shape, const Rules& rules, const Strip& strip) {
+bool may_lie_on_fold(const Shape& shape, const Strip& strip) {
+  const Rules rules{.on_fold = true};
   const auto has_side = [&](Angle rotation) {
     return has_side_for_fold(rules, oriented(shape.outline, {false, rotation, {}}), strip) ||
            (shape.may_flip && has_side_for_fold(rules, oriented(shape.outline, {true, rotation, {}}), strip));
@@ -151,8 +152,21 @@ bool may_lie_on_fold(const Shape& shape, const Rules& rules, const Strip& strip)
   return shape.rotations.empty() || std::any_of(shape.rotations.begin(), shape.rotations.end(), has_side);
 }
 
+// The same for the shapes of a marker, found out once for each: many pieces may have one shape.
+class FoldShapes {
+ public:
+  bool may_lie_on_fold(const Marker& marker, ShapeId shape) {
+    const auto [at, fresh] = known_.try_emplace(shape);
+    if (fresh) at->second = marker::may_lie_on_fold(marker.shapes[shape.value], marker.strip);
+    return at->second;
+  }
+
+ private:
+  std::map<ShapeId, bool> known_;
+};
+
 // Rules that no position keeps, whatever the piece's orientation; `at` points to the piece.
-std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at) {
+std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, const std::string& at, FoldShapes& folds) {
   const Rules& rules = piece.rules;
   const bool plain = rules == Rules{.zone = true, .quality = rules.quality} && piece.group.empty() &&
                      piece.buffer == 0 && !piece.overlap;
@@ -173,7 +187,7 @@ std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, cons
   if (!rotations.empty() && std::none_of(rotations.begin(), rotations.end(), turned)) {
     return Error{ErrorCode::kOutOfRange, "no rotation that the shape allows lies with this nap", at + "/rules/nap"};
   }
-  if (rules.on_fold && !may_lie_on_fold(marker.shapes[piece.shape.value], rules, marker.strip)) {
+  if (rules.on_fold && !folds.may_lie_on_fold(marker, piece.shape)) {
     return Error{ErrorCode::kOutOfRange,
                  "in no orientation that the shape allows does the piece have a side that could lie on the fold",
                  at + "/rules/fold"};
@@ -203,7 +217,7 @@ std::optional<Error> rules_defect(const Marker& marker, const Piece& piece, cons
 }
 
 // What is wrong with a piece wherever it lies; `at` points to it.
-std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, const std::string& at) {
+std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, const std::string& at, FoldShapes& folds) {
   if (piece.shape.value >= marker.shapes.size()) {
     return Error{ErrorCode::kUnknownShape,
                  "shape number " + std::to_string(piece.shape.value) + " of " + std::to_string(marker.shapes.size()),
@@ -216,7 +230,7 @@ std::optional<Error> piece_defect(const Marker& marker, const Piece& piece, cons
         at + "/buffer"};
   }
   if (const auto defect = overlap_defect(marker, piece.overlap.value_or(0), at + "/overlap")) return *defect;
-  if (const auto defect = rules_defect(marker, piece, at)) return *defect;
+  if (const auto defect = rules_defect(marker, piece, at, folds)) return *defect;
   const Shape& shape = marker.shapes[piece.shape.value];
   if (allows(shape, piece.orientation)) return std::nullopt;
   return Error{ErrorCode::kOrientationNotAllowed,
@@ -313,11 +327,12 @@ Result<Marker> make_marker(Marker marker) {
   if (const auto defect = repeated_id(marker.shapes, "shapes", shape_ids)) return *defect;
   if (const auto defect = repeated_id(marker.pieces, "pieces", piece_ids)) return *defect;
   if (const auto defect = repeated_id(marker.unplaced, "unplaced", piece_ids)) return *defect;
+  FoldShapes folds;
   std::map<std::tuple<ShapeId, Orientation, Coord>, std::optional<Error>> seen;
   for (std::size_t k = 0; k < marker.pieces.size(); ++k) {
     Piece& piece = marker.pieces[k];
     if (piece.rules.zone) piece.locked = true;
-    if (const auto defect = piece_defect(marker, piece, at_index("pieces", k))) return *defect;
+    if (const auto defect = piece_defect(marker, piece, at_index("pieces", k), folds)) return *defect;
     if (const auto defect = room_defect(marker, piece, at_index("pieces", k))) return *defect;
     // A room of its own may be wider than the strip's, and a zone may extend beyond the strip.
     const Coord room = piece.rules.zone         ? kLatticeLimit
@@ -336,7 +351,7 @@ Result<Marker> make_marker(Marker marker) {
     }
   }
   for (std::size_t k = 0; k < marker.unplaced.size(); ++k) {
-    if (const auto defect = piece_defect(marker, marker.unplaced[k], at_index("unplaced", k))) return *defect;
+    if (const auto defect = piece_defect(marker, marker.unplaced[k], at_index("unplaced", k), folds)) return *defect;
     if (marker.unplaced[k].rules.zone) {
       return Error{ErrorCode::kOutOfRange, "a zone is a part of the cloth, so it must be placed",
                    at_index("unplaced", k) + "/rules/zone"};

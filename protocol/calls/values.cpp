@@ -25,14 +25,33 @@ Result<Vec> place_on_lattice(const Point& place, Resolution resolution, std::str
   return Vec{to_lattice(place.x, resolution), to_lattice(place.y, resolution)};
 }
 
+namespace {
+
+Error unknown_piece(std::size_t pieces, const std::string& id, const std::string& field) {
+  return {ErrorCode::kOutOfRange,
+          json::shortened(Json(id)) + " is not a piece of this marker; the id of one of its " + std::to_string(pieces) +
+              " pieces is allowed",
+          field};
+}
+
+}  // namespace
+
 Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std::string& field) {
   for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) {
     if (marker.pieces[i].id == id) return PieceId{i};
   }
-  return Error{ErrorCode::kOutOfRange,
-               json::shortened(Json(id)) + " is not a piece of this marker; the id of one of its " +
-                   std::to_string(marker.pieces.size()) + " pieces is allowed",
-               field};
+  return unknown_piece(marker.pieces.size(), id, field);
+}
+
+PiecesById::PiecesById(const Marker& marker) {
+  pieces_.reserve(marker.pieces.size());
+  for (std::uint32_t i = 0; i < marker.pieces.size(); ++i) pieces_.emplace(marker.pieces[i].id, PieceId{i});
+}
+
+Result<PieceId> PiecesById::piece_of(const std::string& id, const std::string& field) const {
+  const auto found = pieces_.find(id);
+  if (found != pieces_.end()) return found->second;
+  return unknown_piece(pieces_.size(), id, field);
 }
 
 }  // namespace selvage::protocol::calls

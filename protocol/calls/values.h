@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 
 #include "core/base/result.h"
 #include "protocol/formats/decimal_marker.h"
@@ -48,6 +50,16 @@ struct Document {
 
 // The piece of the marker with this id.  Errors: kOutOfRange; `field` is the parameter that names the piece.
 [[nodiscard]] Result<PieceId> piece_of(const Marker& marker, const std::string& id, const std::string& field);
+
+// The same for lists of ids: looks through the marker once.  The marker must outlive this.
+class PiecesById {
+ public:
+  explicit PiecesById(const Marker& marker);
+  [[nodiscard]] Result<PieceId> piece_of(const std::string& id, const std::string& field) const;
+
+ private:
+  std::unordered_map<std::string_view, PieceId> pieces_;
+};
 
 }  // namespace selvage::protocol::calls
 

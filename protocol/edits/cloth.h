@@ -120,11 +120,12 @@ struct Cloth {
   }
 };
 
-// The file with these rules.  A piece that lies against its nap is rotated about its middle if its shape allows that.
-// Holes are the closed cut-outs among the annotations of a shape.  Notes report rotated pieces, a shade without pieces,
-// and holes that cannot be opened.  Errors: those of make_marker; kBeyondLattice; kOutOfRange
-// for a piece or shape that the marker does not have and for up_and_down where no piece has a bundle; `field` points
-// into the file or at the field of Cloth.
+// The file with these rules.  A piece that lies against its nap is rotated about its middle if its shape allows that
+// and it has neither a lock nor a group.  Of several rules for a piece the last ones count.  Holes are the closed
+// cut-outs among the annotations of a shape.  Notes report rotated pieces, a shade without pieces, and holes that
+// cannot be opened.  Errors: those of make_marker; kBeyondLattice; kOutOfRange for a piece or shape that the marker
+// does not have, for a second block of a shape and for up_and_down where no piece has a bundle; `field` points into the
+// file or at the field of Cloth.
 [[nodiscard]] Result<MarkerFile> with_cloth(MarkerFile file, const Cloth& cloth);
 
 }  // namespace selvage::protocol::edits

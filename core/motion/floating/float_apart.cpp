@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
-#include <set>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/motion/floating/float_step.h"
 
@@ -20,18 +22,20 @@ class Floater {
         most_{std::max(settings.distance, scene.pieces.widest_spacing())},
         aim_{settings.mode, static_cast<double>(most_), scene.marker.strip.ending(scene.pieces.length()),
              scene.pieces.positions()} {
-    const auto gaps = gaps_within(scene, most_, aim_.strip, settings.edges);
-    start_gaps_ = {gaps.begin(), gaps.end()};
-    least_ = least_width();
+    start_gaps_ = gaps_within(scene, most_, aim_.strip, settings.edges);
   }
 
-  // The narrowest gap, in whole units.
+  // Finds the narrowest gap of the start, without which nothing moves.  False when it was stopped before.
+  [[nodiscard]] bool measure(Floating& best) {
+    std::size_t measured = 0;
+    const auto least = least_width([&] { return too_late(measured++); });
+    if (!least) return false;
+    best.least_before = least_ = *least;
+    return true;
+  }
+  // Measures the narrowest gap even when stopped: it is found among neighbours.
   [[nodiscard]] Coord least_width() const {
-    Coord least = most_;
-    for (const Gap& gap : gaps_within(scene_, most_, aim_.strip, settings_.edges)) {
-      least = std::min(least, whole_width_within(gap, scene_.pieces, aim_.strip, least));
-    }
-    return least;
+    return *least_width([] { return false; });
   }
 
   void run(Floating& best) {
@@ -43,20 +47,46 @@ class Floater {
   }
 
   [[nodiscard]] std::vector<GapWidths> widths(const scene::Scene& start) const {
-    std::set<Gap> near = start_gaps_;
-    const auto now = gaps_within(scene_, most_, aim_.strip, settings_.edges);
-    near.insert(now.begin(), now.end());
     std::vector<GapWidths> widths;
-    const auto anywhere = static_cast<double>(kLatticeLimit);
-    for (const Gap& gap : near) {
-      const GapWidths w{gap, width_within(gap, start.pieces, aim_.strip, anywhere),
-                        width_within(gap, scene_.pieces, aim_.strip, anywhere)};
-      if (std::min(w.before, w.after) < aim_.most) widths.push_back(w);
+    if (too_late(start_gaps_.size())) return widths;
+    std::vector<Gap> near;
+    std::ranges::set_union(start_gaps_, gaps_within(scene_, most_, aim_.strip, settings_.edges),
+                           std::back_inserter(near));
+    constexpr auto kAnywhere = static_cast<double>(kLatticeLimit);
+    for (std::size_t k = 0; k < near.size() && !too_late(k); ++k) {
+      const auto width = [&](const scene::Scene& scene, double reach) {
+        return width_within(near[k], scene.pieces, aim_.strip, reach);
+      };
+      GapWidths w{near[k], width(start, aim_.most), width(scene_, aim_.most)};
+      if (std::min(w.before, w.after) >= aim_.most) continue;
+      if (w.before >= aim_.most) w.before = width(start, kAnywhere);
+      if (w.after >= aim_.most) w.after = width(scene_, kAnywhere);
+      widths.push_back(w);
     }
     return widths;
   }
 
  private:
+  // Whether a motion that has measured this many gaps ends because it is stopped.
+  [[nodiscard]] bool too_late(std::size_t measured) const {
+    return measured >= settings_.tuning.measured_when_stopped && run_.stopped();
+  }
+
+  // The narrowest gap, in whole units, at most the distance; nothing when `stops()` first.  It looks at pairs that are
+  // ever farther apart until one of them has a gap: all others are wider.
+  template <class Stops>
+  [[nodiscard]] std::optional<Coord> least_width(const Stops& stops) const {
+    constexpr Coord kFirst = 4096, kFarther = 4;
+    for (Coord reach = std::max(most_ / kFirst, Coord{1});; reach = std::min(kFarther * reach, most_)) {
+      Coord least = reach;
+      for (const Gap& gap : gaps_within(scene_, reach, aim_.strip, settings_.edges)) {
+        if (stops()) return std::nullopt;
+        least = std::min(least, whole_width_within(gap, scene_.pieces, aim_.strip, least));
+      }
+      if (least < reach || reach == most_) return least;
+    }
+  }
+
   scene::StopReason improve(Floating& best) {
     const auto width = static_cast<double>(scene_.marker.strip.width);
     const double widest_trust = settings_.trust * width;
@@ -64,6 +94,8 @@ class Floater {
     for (int round = 0; round < settings_.rounds; ++round) {
       run_.observer.on_stage(scene::Stage::kSums);
       gaps_ = gaps_near(trust);
+      loads_.clear();  // those of other gaps
+      if (run_.stopped()) return scene::StopReason::kCancelled;
       FloatStep step = float_step(scene_, aim_, gaps_, trust, solver(), run_);
       run_.observer.on_stage(scene::Stage::kOther);
       best.programs += step.programs;
@@ -91,14 +123,15 @@ class Floater {
     return any && asks_for_minimum() ? lp::solver::SolverChoice::kInteriorPoint : settings_.solver;
   }
 
-  // Every gap that a round can make narrower than the width that counts.
+  // Every gap that a round can make narrower than the width that counts; none when stopped and there are many.
   [[nodiscard]] std::vector<FloatGap> gaps_near(double trust) const {
     const Coord reach = most_ + static_cast<Coord>(std::ceil(2 * trust)) + 2;
     std::vector<FloatGap> near;
     for (const Gap& gap : gaps_within(scene_, reach, aim_.strip, settings_.edges)) {
+      if (too_late(near.size())) return {};
       FloatGap now{gap, width_within(gap, scene_.pieces, aim_.strip, aim_.most), least_, false, aim_.most};
       // The gaps of the start become uniform; others only stay as wide as they are.
-      if (settings_.mode == FloatMode::kUniform) now.held = !start_gaps_.contains(gap);
+      if (settings_.mode == FloatMode::kUniform) now.held = !std::ranges::binary_search(start_gaps_, gap);
       if (const auto critical = critical_.find(gap); critical != critical_.end()) {
         now.held = true;
         now.keep = static_cast<double>(critical->second);
@@ -110,10 +143,12 @@ class Floater {
   }
 
   // Sets aside the gaps that limit the minimum.  False when there are none: no remaining gap can become wider, or none
-  // is narrow.
+  // is narrow; and when stopped before many gaps are measured.
   bool add_critical_set(Floating& best) {
     double least = aim_.most;
-    for (FloatGap& gap : gaps_) {
+    for (std::size_t k = 0; k < gaps_.size(); ++k) {
+      if (too_late(k)) return false;
+      FloatGap& gap = gaps_[k];
       gap.now = width_within(gap.gap, scene_.pieces, aim_.strip, aim_.most);
       if (!gap.held) least = std::min(least, gap.now);
     }
@@ -142,7 +177,7 @@ class Floater {
   const scene::Run& run_;
   Coord most_;
   FloatAim aim_;
-  std::set<Gap> start_gaps_;
+  std::vector<Gap> start_gaps_;  // sorted
   Coord least_{};
   std::map<Gap, Coord> critical_;  // the gaps that limit a stage's minimum, and that minimum
   std::vector<FloatGap> gaps_;     // of the last round
@@ -173,11 +208,17 @@ Result<Floating> float_apart(const Marker& start, const FloatSettings& settings,
   return repair::repaired_and<Floating>(start, run, [&](scene::Scene& scene, Floating& floating) {
     const scene::Scene repaired = scene;
     Floater floater{scene, settings, run};
-    floating.least_before = floater.least_width();
+    if (!floater.measure(floating)) {
+      floating.reason = scene::StopReason::kCancelled;
+      return;
+    }
     floater.run(floating);
     // Where pieces may overlap, depths are rounded, and the least gap can come out narrower by a unit or two.
-    if (floater.least_width() < floating.least_before) scene.pieces = repaired.pieces;
     floating.least_after = floater.least_width();
+    if (floating.least_after < floating.least_before) {
+      scene.pieces = repaired.pieces;
+      floating.least_after = floating.least_before;
+    }
     floating.reached = floating.least_after >= settings.distance;
     floating.gaps = floater.widths(repaired);
   });

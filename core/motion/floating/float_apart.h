@@ -3,8 +3,8 @@
 //
 // Laws.  (1) The answer is valid, proved in integers.  (2) It is never longer than the input, except by what the repair
 // of the input reports.  (3) The least distance, in whole lattice units, is never smaller than before; `least_after` is
-// proved.  (4) Locked pieces stay in place to the lattice unit.  (5) The same input and settings give the same answer,
-// whatever the cache holds.
+// proved, but in a motion that was stopped before the narrowest gap was found: there both are 0.  (4) Locked pieces
+// stay in place to the lattice unit.  (5) The same input and settings give the same answer, whatever the cache holds.
 #pragma once
 
 #include <vector>
@@ -50,7 +50,9 @@ struct CriticalSet {
 struct Floating : repair::MotionResult {
   Coord least_before{}, least_after{};  // the narrowest gap, whole lattice units, at most the setting's distance
   bool reached{};                       // the narrowest gap has the setting's distance
-  std::vector<GapWidths> gaps;          // narrower than the setting's distance before or after, sorted
+  // Narrower than the setting's distance before or after, sorted; only some of them, or none, when the motion was
+  // stopped and there are many.
+  std::vector<GapWidths> gaps;
   // The gaps that limit the minimum: those that carry load in the last program or, in modes that do not maximise the
   // minimum, those that have it.  kTwoStep adds the sets that limit its later stages.  Empty when the distance is
   // reached.

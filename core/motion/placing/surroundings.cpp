@@ -42,17 +42,17 @@ PlacedEdge placed(const minkowski::convolution::SumEdge& edge, const minkowski::
 }  // namespace
 
 Body::Body(const scene::Scene& scene, PieceId id)
-    : at{scene.pieces.at(id.value)},
+    : moving(scene.pieces.size()),
+      at{scene.pieces.at(id.value)},
       fixed_x{scene.ties.x[id.value] == model::Ties::kFixed},
       fixed_y{scene.ties.y[id.value] == model::Ties::kFixed} {
   for (std::uint32_t i = 0; i < scene.pieces.size(); ++i) {
-    if (i == id.value || scene.ties.joined(i, id.value)) members.push_back({i, scene.pieces.at(i) - at});
+    moving[i] = i == id.value || scene.ties.joined(i, id.value);
+    if (moving[i]) members.push_back({i, scene.pieces.at(i) - at});
   }
 }
 
 Box Body::fit(const scene::Scene& scene, Coord end) const {
-  std::vector<bool> moving(scene.pieces.size());
-  for (const Member& member : members) moving[member.piece] = true;
   Box all{{-kLatticeLimit, -kLatticeLimit}, {kLatticeLimit, kLatticeLimit}};
   for (const Member& member : members) {
     const Box room = scene.pieces.room_among(member.piece, moving, scene.marker.strip, end);
@@ -65,10 +65,6 @@ Box Body::fit(const scene::Scene& scene, Coord end) const {
   return all;
 }
 
-bool Body::holds(std::uint32_t piece) const {
-  return std::any_of(members.begin(), members.end(), [&](const Member& member) { return member.piece == piece; });
-}
-
 Surroundings::Surroundings(const scene::Scene& scene, const Body& body, const Box& window, Vec origin,
                            const std::stop_token& stop)
     : scene_{scene}, origin_{origin} {
@@ -78,14 +74,16 @@ Surroundings::Surroundings(const scene::Scene& scene, const Body& body, const Bo
 
 void Surroundings::append_near(const Body& body, const Body::Member& member, const Box& window,
                                const std::stop_token& stop) {
+  complete_ = complete_ && !stop.stop_requested();
+  if (!complete_) return;
   const Box own = scene_.pieces[member.piece].box.moved(member.offset);
   const Box swept = Box{window.low + own.low, window.high + own.high}.grown(scene_.pieces.widest_spacing() + 1);
   for (std::uint32_t other = 0; other < scene_.pieces.size(); ++other) {
     if (!swept.touches(scene_.pieces.box(other)) || body.holds(other)) continue;
     if (scene_.pieces.may_share_cloth(member.piece, other)) continue;
     auto obstacle = scene_.obstacle({other, member.piece}, stop);
-    complete_ = complete_ && obstacle;
-    if (!obstacle) return;
+    complete_ = obstacle.has_value();
+    if (!complete_) return;
     near_.push_back(
         {member.piece, other, member.offset, scene_.pieces.spacing({member.piece, other}), *std::move(obstacle)});
     first_line_.push_back(static_cast<std::uint32_t>(lines_.size()));

@@ -19,9 +19,10 @@ struct Body {
   Body(const scene::Scene& scene, PieceId piece);
   // The positions of the naming piece that keep the body within the strip up to `end` and respect its locks.
   [[nodiscard]] Box fit(const scene::Scene& scene, Coord end) const;
-  [[nodiscard]] bool holds(std::uint32_t piece) const;
+  [[nodiscard]] bool holds(std::uint32_t piece) const { return moving[piece]; }
   std::vector<Member> members;
-  Vec at;  // of the naming piece
+  std::vector<bool> moving;  // by piece: the members
+  Vec at;                    // of the naming piece
   bool fixed_x{}, fixed_y{};
 };
 

@@ -74,9 +74,10 @@ struct FloatResult {
 
   static void describe(auto& v, auto& self) {
     v.required("leastBefore", self.least_before, "The narrowest gap before the motion, at most the distance.");
-    v.required("leastAfter", self.least_after, "The narrowest gap after the motion; proved.");
+    v.required("leastAfter", self.least_after,
+               "The narrowest gap after the motion, proved; 0 when stopped before it was found.");
     v.required("reached", self.reached, "Whether the narrowest gap has the distance.");
-    v.required("gaps", self.gaps, "The gaps narrower than the distance before or after.");
+    v.required("gaps", self.gaps, "The gaps narrower than the distance before or after; only some when stopped.");
     v.required("critical", self.critical, "Sets of gaps that determine a minimum.");
     v.part(self.rounds);
   }

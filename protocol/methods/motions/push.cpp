@@ -35,10 +35,11 @@ struct PushParams {
 
 Result<calls::Motion<PushResult>> run_push(const PushParams& params, const Marker& start,
                                            const calls::MethodContext& context) {
+  const calls::PiecesById by_id{start};
   std::vector<motion::compaction::Force> forces;
   for (std::size_t k = 0; k < params.forces.size(); ++k) {
     const auto& [id, force] = params.forces[k];
-    const auto piece = calls::piece_of(start, id.text, "/forces/" + std::to_string(k) + "/piece");
+    const auto piece = by_id.piece_of(id.text, "/forces/" + std::to_string(k) + "/piece");
     if (!piece) return piece.error();
     forces.push_back({*piece, force.x, force.y});
   }

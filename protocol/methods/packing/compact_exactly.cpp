@@ -47,9 +47,10 @@ struct ExactCompactionResult {
 };
 
 Result<std::vector<PieceId>> placed_pieces(const Marker& marker, const std::vector<calls::Id>& ids) {
+  const calls::PiecesById by_id{marker};
   std::vector<PieceId> pieces;
   for (const calls::Id& id : ids) {
-    const auto piece = calls::piece_of(marker, id.text, "/among/" + std::to_string(pieces.size()));
+    const auto piece = by_id.piece_of(id.text, "/among/" + std::to_string(pieces.size()));
     if (!piece) return piece.error();
     pieces.push_back(*piece);
   }

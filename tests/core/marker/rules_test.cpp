@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <string>
 #include <tuple>
 
 #include "core/marker/clearance.h"
@@ -319,6 +322,28 @@ TEST(Tubes, APieceLiesOnTheFoldThatItsStraightSideFaces) {
   folded.unplaced = std::move(folded.pieces);
   folded.pieces.clear();
   EXPECT_EQ(blamed(folded), "/unplaced/0/rules/fold");
+}
+
+// Turning the outline for each piece would take a minute: 5,000 pieces, 720 orientations, 499 corners.
+TEST(Rooms, TheSideOfAShapeForTheFoldIsLookedForOnce) {
+  Shape half_star{.id = "half star", .outline = {}, .rotations = {}, .may_flip = true, .tilt_limit = {}};
+  for (int k = 0; k < 499; ++k) {  // its one long side lies below
+    const double angle = std::numbers::pi * k / 498, radius = k % 2 == 0 ? 1e6 : 5e5;
+    half_star.outline.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle))});
+  }
+  for (int k = 0; k < 360; ++k) half_star.rotations.push_back({0.7 + k});
+  Marker marker = squares({{0, 0}});
+  marker.shapes.push_back(half_star);
+  marker.shapes.push_back(half_star);
+  marker.shapes[2].id = "other half star";
+  marker.shapes[1].rotations.push_back({0});
+  for (int k = 0; k < 5'000; ++k) {
+    marker.unplaced.push_back({.id = "f" + std::to_string(k), .shape = {1}, .orientation = {}, .at = {}});
+    marker.unplaced.back().rules.on_fold = true;
+  }
+  EXPECT_EQ(blamed(marker), "");
+  marker.unplaced[2].shape = {2};  // has no side in any of its orientations
+  EXPECT_EQ(blamed(marker), "/unplaced/2/rules/fold");
 }
 
 TEST(Tubes, AFoldHasNoSelvedgeOnEitherSide) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,18 @@ TEST(Cloth, ImpossibleNapIsRefused) {
   EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, bare), "/napDirection");
 }
 
+TEST(Cloth, NapTurnsNoPieceWithALockOrAGroup) {
+  for (const Locks locks : {Locks{true, false, false}, Locks{false, true, false}, Locks{false, false, true}}) {
+    MarkerFile locked = two_bundles();
+    locked.marker.pieces[2].locked = locks;
+    EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, locked), "/pieces/2/rules/nap");
+  }
+  MarkerFile grouped = two_bundles();
+  grouped.marker.pieces[1].group = grouped.marker.pieces[2].group = "g";
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kUpAndDown}, grouped), "/pieces/2/rules/nap");
+  EXPECT_EQ(refused({.nap_direction = ClothNap::kUp}, grouped), "");
+}
+
 Cloth with_zones(std::vector<protocol::edits::ClothZone> zones) {
   Cloth cloth;
   cloth.zones = std::move(zones);
@@ -121,6 +134,24 @@ TEST(Cloth, ZonesLieAtTheGivenPositions) {
   EXPECT_EQ(refused(with_zones({{{1e300, 40}, {60, 100}, {}}})), "/zones/0/from");
 }
 
+TEST(Cloth, ManyZonesAndBundlesTakeNoLonger) {
+  MarkerFile file = two_bundles();
+  const Piece piece = file.marker.pieces[0];
+  for (std::size_t k = 0; k < 9'000; ++k) {
+    file.marker.pieces.push_back(piece);
+    file.marker.pieces.back().id = "zone " + std::to_string(2 * k + 1);
+    file.attributes.pieces.push_back({{"bundle", std::to_string(k)}});
+  }
+  Cloth cloth = with_zones(std::vector<protocol::edits::ClothZone>(10'000, {{60, 40}, {70, 100}, {}}));
+  cloth.nap_direction = ClothNap::kUpAndDown;
+  const MarkerFile given = with(cloth, file);
+  EXPECT_EQ(given.marker.pieces[9'003].id, "zone 2");  // half of the first 18,000 names are taken
+  EXPECT_EQ(given.marker.pieces[9'004].id, "zone 4");
+  EXPECT_EQ(given.marker.pieces[19'002].id, "zone 19000");
+  EXPECT_EQ(given.marker.pieces[3 + 7].rules.nap, marker::Nap::kDown);
+  EXPECT_EQ(given.marker.pieces[3 + 8].rules.nap, marker::Nap::kUp);
+}
+
 TEST(Cloth, RulesAreThoseOfAPieceOrOfAShape) {
   Cloth cloth;
   cloth.piece_rules.emplace(2);
@@ -136,6 +167,29 @@ TEST(Cloth, RulesAreThoseOfAPieceOrOfAShape) {
   EXPECT_EQ(refused(cloth), "/pieceRules/1/piece");
   (*cloth.piece_rules)[0].shape = "none";
   EXPECT_EQ(refused(cloth), "/pieceRules/0/shape");
+}
+
+TEST(Cloth, TheLastRulesOfAPieceCountAndManyTakeNoLonger) {
+  MarkerFile file = two_bundles();
+  const Piece piece = file.marker.pieces[0];
+  for (std::size_t k = 0; k < 9'000; ++k) {
+    file.marker.pieces.push_back(piece);
+    file.marker.pieces.back().id = std::to_string(k);
+    file.attributes.pieces.push_back(Json::object());
+  }
+  Cloth cloth;
+  cloth.piece_rules.emplace(protocol::edits::kMaxEdits);
+  for (std::size_t k = 0; k < protocol::edits::kMaxEdits; ++k) {
+    protocol::edits::RulesOfPieces& rules = (*cloth.piece_rules)[k];
+    if (k % 2 == 0) rules.shape = "s";
+    if (k % 2 == 1) rules.piece = std::to_string(k % 9'000);
+    rules.rules.quality = static_cast<int>(k % 100);
+  }
+  cloth.piece_rules->back().piece = "M-A 1";
+  const Marker marker = with(cloth, file).marker;
+  EXPECT_EQ(marker.pieces[0].rules, (marker::Rules{.quality = 99}));
+  EXPECT_EQ(marker.pieces[1].rules, (marker::Rules{.quality = 98}));
+  EXPECT_EQ(marker.unplaced[0].rules, (marker::Rules{.quality = 98}));
 }
 
 TEST(Cloth, BlocksAreWidenedOnTheirSides) {
@@ -158,6 +212,23 @@ TEST(Cloth, BlocksAreWidenedOnTheirSides) {
   EXPECT_EQ(refused(cloth, file), "/pieces/0");  // wider than the strip
   (*cloth.blocks)[0].shape = "none";
   EXPECT_EQ(refused(cloth, file), "/blocks/0/shape");
+}
+
+TEST(Cloth, AShapeHasOneBlock) {
+  MarkerFile file = two_bundles();
+  file.marker.pieces.resize(1);
+  file.attributes.pieces.resize(1);
+  Cloth cloth;
+  cloth.blocks.emplace(2);
+  (*cloth.blocks)[0].right = 5;
+  (*cloth.blocks)[1].shape = "s";
+  const auto twice = with_cloth(file, cloth);
+  ASSERT_FALSE(twice);
+  EXPECT_EQ(twice.error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(twice.error().field, "/blocks/1/shape");
+  EXPECT_EQ(twice.error().message, "\"s\" has a block already; one for each shape is allowed");
+  (*cloth.blocks)[1].shape.reset();
+  EXPECT_EQ(refused(cloth, file), "/blocks/1");
 }
 
 // A frame with a hole, and one that is filled because its hole touches the outline.
@@ -187,6 +258,17 @@ TEST(Cloth, HolesAreFilledUnlessTheyAreOpen) {
   EXPECT_EQ(open.notes[0], frames().notes[1]);
   EXPECT_EQ(open.notes[1].field, "/openHoles");
   EXPECT_EQ(with({.open_holes = true}, open).marker, open.marker);
+}
+
+TEST(Cloth, OnlyNotesOfOpenHolesAreTakenBack) {
+  MarkerFile file = frames();
+  file.notes = {{"/shapes/0/holes", "filled"},           {"/shapes/1/holes", "filled"},
+                {"/shapes/10/holes", "filled"},          {"/items/0/shape/data/inner", "filled"},
+                {"/items/1/shape/data/inner", "filled"}, {"/0/holes", "another"}};
+  std::vector<std::string> fields;
+  for (const Note& note : with({.open_holes = true}, file).notes) fields.push_back(note.field);
+  EXPECT_EQ(fields, (std::vector<std::string>{"/shapes/1/holes", "/shapes/10/holes", "/items/1/shape/data/inner",
+                                              "/0/holes", "/openHoles"}));
 }
 
 TEST(Cloth, OpenHolesAreNotedWhereThereAreNone) {

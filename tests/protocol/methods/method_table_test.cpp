@@ -56,6 +56,27 @@ TEST(Methods, HaveUniqueNames) {
   EXPECT_EQ(find_method("marker.nonsense"), nullptr);
 }
 
+TEST(Methods, ListsOfPiecesAreLookedUpOnceAndAreLimited) {
+  Json document = test::native_squares();
+  const Json square = document["pieces"][0];
+  Json forces = Json::array(), pieces = Json::array();
+  for (int k = 0; k < 10'000; ++k) {
+    Json piece = square;
+    piece["id"] = std::to_string(k);
+    document["pieces"].push_back(std::move(piece));
+  }
+  for (int k = 0; k < 99'999; ++k) forces.push_back({{"piece", "9999"}, {"force", {1, 0}}});
+  forces.push_back({{"piece", "none"}, {"force", {1, 0}}});
+  const Ran pushed = ran("motion.push", document, {{"forces", std::move(forces)}});
+  ASSERT_TRUE(pushed.error);
+  EXPECT_EQ(pushed.error->field, "/forces/99999/piece");
+  for (int k = 0; k < 20'001; ++k) pieces.push_back("none");
+  const Ran aligned = ran("motion.align", document, {{"pieces", pieces}, {"side", "left"}});
+  ASSERT_TRUE(aligned.error);
+  EXPECT_EQ(aligned.error->field, "/pieces");
+  EXPECT_EQ(aligned.error->message, "20001 pieces; 2 to 20000 are allowed");
+}
+
 TEST(Motions, AllReturnTheCommonFieldsAndTheirOwn) {
   const std::set<std::string> common{
       "name",  "pieces", "lengthBefore", "lengthAfter", "utilisationBefore", "utilisationAfter",

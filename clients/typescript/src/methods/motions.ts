@@ -267,11 +267,11 @@ export interface MotionMethods {
     result: MotionResult & {
       /** The narrowest gap before the motion, at most the distance. */
       leastBefore: number;
-      /** The narrowest gap after the motion; proved. */
+      /** The narrowest gap after the motion, proved; 0 when stopped before it was found. */
       leastAfter: number;
       /** Whether the narrowest gap has the distance. */
       reached: boolean;
-      /** The gaps narrower than the distance before or after. */
+      /** The gaps narrower than the distance before or after; only some when stopped. */
       gaps: Array<GapWidths>;
       /** Sets of gaps that determine a minimum. */
       critical: Array<CriticalSet>;

@@ -14,7 +14,8 @@ struct AlignParams {
 
   static void describe(auto& v, auto& self) {
     v.part(self.call);
-    v.required("pieces", self.pieces, "The ids of the pieces to align; two or more.");
+    v.required("pieces", self.pieces, "The ids of the pieces to align; two or more.",
+               {.entries = {{2, marker::kMaxPieces}}, .entries_are = "pieces"});
     v.required("side", self.side, "The side of the pieces that is aligned: the one facing this edge of the strip.");
   }
 };
@@ -34,9 +35,10 @@ struct AlignResult {
 
 Result<calls::Motion<AlignResult>> run_align(const AlignParams& params, const Marker& start,
                                              const calls::MethodContext& context) {
+  const calls::PiecesById by_id{start};
   std::vector<PieceId> pieces;
   for (const calls::Id& id : params.pieces) {
-    const auto piece = calls::piece_of(start, id.text, "/pieces/" + std::to_string(pieces.size()));
+    const auto piece = by_id.piece_of(id.text, "/pieces/" + std::to_string(pieces.size()));
     if (!piece) return piece.error();
     pieces.push_back(*piece);
   }

@@ -221,6 +221,44 @@ TEST(FloatApart, StopsWhenCancelledAndAtTheWorkLimit) {
   EXPECT_EQ(limited.marker, bars());
 }
 
+TEST(FloatApart, MeasuresFewGapsOnceItIsStopped) {
+  Layout layout{1000 * kMm};
+  const auto square = layout.shape_of(test::rectangle(50 * kMm, 50 * kMm));
+  for (Coord k = 0; k < 100; ++k) layout.put(square, {100 * kMm * (k / 10), 100 * kMm * (k % 10)});
+  SumCache sums;
+  std::stop_source source;
+  source.request_stop();
+  FloatSettings settings = settings_for(FloatMode::kTwoStep, 100'000 * kMm);  // all 4,950 gaps are narrower
+  const auto stopped = float_apart(layout.marker(), settings, {sums, source.get_token()});
+  ASSERT_TRUE(stopped);
+  EXPECT_EQ(stopped->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(stopped->marker, layout.marker());
+  EXPECT_EQ(stopped->least_before, 50 * kMm);  // found among the gaps of neighbours
+  EXPECT_EQ(stopped->least_after, 50 * kMm);
+  EXPECT_FALSE(stopped->reached);
+  EXPECT_LE(stopped->gaps.size(), settings.tuning.measured_when_stopped);
+  EXPECT_TRUE(stopped->critical.empty());
+  settings.tuning.measured_when_stopped = 10;
+  const auto unmeasured = float_apart(layout.marker(), settings, {sums, source.get_token()});
+  ASSERT_TRUE(unmeasured);
+  EXPECT_EQ(unmeasured->reason, scene::StopReason::kCancelled);
+  EXPECT_EQ(unmeasured->marker, layout.marker());
+  EXPECT_EQ(unmeasured->least_after, 0);
+  EXPECT_FALSE(unmeasured->reached);
+}
+
+TEST(FloatApart, WidthsBeyondTheDistanceAreExact) {
+  const auto result = floated(bars({0, 100, 250, 900}), settings_for(FloatMode::kLargestMinimum, 60 * kMm));
+  ASSERT_EQ(result.gaps.size(), 2U);  // those of 0 and 50 mm
+  EXPECT_EQ(result.gaps[0].before, 0);
+  EXPECT_EQ(result.gaps[1].before, 50.0 * kMm);
+  for (const GapWidths& gap : result.gaps) {
+    const auto [p, q] = pair_of(gap.gap);
+    const Coord apart = result.marker.pieces[q].at.x - result.marker.pieces[p].at.x - 100 * kMm;
+    EXPECT_EQ(gap.after, static_cast<double>(apart));
+  }
+}
+
 TEST(FloatApart, PiecesOfAnyShapeGainRoom) {
   SumCache sums;
   const auto compacted = compact(test::loose_marker(21), compaction_settings(compaction::Accuracy::kStandard), {sums});

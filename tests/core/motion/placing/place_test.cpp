@@ -9,6 +9,7 @@
 #include "core/marker/clearance.h"
 #include "core/marker/validity.h"
 #include "core/minkowski/inner_fit.h"
+#include "core/motion/placing/surroundings.h"
 #include "tests/core/motion/markers.h"
 
 namespace selvage::motion::placing {
@@ -42,6 +43,24 @@ TEST(Place, KeepsAFreePosition) {
   layout.put(square, {0, 0}).put(square, {900, 0});
   EXPECT_EQ(placed(layout.marker(), 0, {800, 0})->at, (Vec{800, 0}));  // touching is free
   EXPECT_EQ(placed(layout.marker(), 0, {333, 777})->at, (Vec{333, 777}));
+}
+
+TEST(Surroundings, OfALargeGroupPollForAStop) {
+  Layout layout{1000};
+  const auto square = layout.shape_of(test::rectangle(10, 10));
+  for (Coord k = 0; k < 100; ++k) layout.put(square, {10 * k, 0});
+  Marker marker = layout.put(square, {5000, 500}).marker();
+  for (std::size_t k = 0; k < 100; ++k) marker.pieces[k].group = "row";
+  SumCache sums;
+  const scene::Scene scene{marker, sums};
+  const Body body{scene, PieceId{7}};
+  EXPECT_EQ(body.members.size(), 100U);
+  EXPECT_TRUE(body.holds(99));
+  EXPECT_FALSE(body.holds(100));
+  std::stop_source source;
+  EXPECT_TRUE(Surroundings(scene, body, {{0, 0}, {0, 0}}, {}, source.get_token()).complete());
+  source.request_stop();  // the group has no neighbour whose sum would notice
+  EXPECT_FALSE(Surroundings(scene, body, {{0, 0}, {0, 0}}, {}, source.get_token()).complete());
 }
 
 TEST(Place, ComesBackIntoTheStrip) {
