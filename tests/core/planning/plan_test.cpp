@@ -193,6 +193,20 @@ TEST(Plan, SaysWhatIsInTheWay) {
   EXPECT_EQ(plan_cut(problem, quick(), known_lengths(problem), {}).error().field, "/costs/lay");
 }
 
+// Two bundles may lie in a marker, but the table is too short for them, so there are more lays than the limits suggest.
+TEST(Plan, RefusesMoreLaysThanAreAllowed) {
+  Problem problem;
+  problem.order = {{{"M", 1.5e6, 21'000}}, {"red"}, {{150'000}}};
+  problem.cloth.width = 1500;
+  problem.limits = {.plies = 1, .table = 1'500, .bundles = 2};
+  ASSERT_FALSE(mistake_in(problem));
+  const auto plan = plan_cut(problem, quick(), known_lengths(problem), {});
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(plan.error().field, "/limits/plies");
+  EXPECT_NE(plan.error().message.find("150000 lays"), std::string::npos) << plan.error().message;
+}
+
 TEST(Plan, IsTheSameOnAnyNumberOfThreads) {
   const Problem problem = trousers();
   const auto alone = plan_cut(problem, quick(), known_lengths(problem), {});
