@@ -7,7 +7,8 @@
 namespace selvage::marker {
 namespace {
 
-constexpr std::size_t kBlock = 512;  // pairs that one thread proves at a time
+constexpr std::size_t kBlock = 512;           // pairs that one thread proves at a time
+constexpr std::size_t kAtOnce = 64 * kBlock;  // pairs that are found before they are proved
 // Up to this many changed pieces are compared with all others one by one; the pairs of more are found by a sweep.
 constexpr std::size_t kFew = 16;
 
@@ -39,10 +40,24 @@ bool conflict(const PlacedPieces& pieces, PiecePair pair) {
 }
 
 std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor, const std::stop_token& stop) {
-  const std::vector<PiecePair> near = pairs_within(pieces, pieces.widest_spacing());
-  return gathered<PiecePair>(executor, near.size(), kBlock, [&](std::size_t k, std::vector<PiecePair>& found) {
-    if (!stop.stop_requested() && conflict(pieces, near[k])) found.push_back(near[k]);
+  std::vector<PiecePair> found;
+  std::vector<PiecePair> near;  // that are not proved yet
+  const auto prove = [&] {
+    const auto proved = gathered<PiecePair>(executor, near.size(), kBlock, [&](std::size_t k, auto& out) {
+      if (!stop.stop_requested() && conflict(pieces, near[k])) out.push_back(near[k]);
+    });
+    found.insert(found.end(), proved.begin(), proved.end());
+    near.clear();
+    return stop.stop_requested() || found.size() >= kMostConflicts;
+  };
+  const bool all = !any_pair_within(pieces, pieces.widest_spacing(), [&](PiecePair pair) {
+    near.push_back(pair);
+    return near.size() == kAtOnce && prove();
   });
+  if (all) prove();
+  found.resize(std::min(found.size(), kMostConflicts));
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 bool any_conflict(const PlacedPieces& pieces) {

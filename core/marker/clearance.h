@@ -7,6 +7,7 @@
 // all others.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <stop_token>
@@ -23,8 +24,11 @@ namespace selvage::marker {
 // The same for two pieces and the spacing between them.
 [[nodiscard]] bool conflict(const PlacedPieces& pieces, PiecePair pair);
 
-// All pairs that collide, sorted.  When cancelled, only some of them: a caller that may be cancelled looks at the token
-// afterwards.
+// Heaps of thousands of pieces have more pairs that collide than there is room for: no more than this many are listed.
+inline constexpr std::size_t kMostConflicts = 1'000'000;
+
+// All pairs that collide, sorted; when there are more than kMostConflicts, that many of them.  When cancelled, only
+// some: a caller that may be cancelled looks at the token afterwards.
 [[nodiscard]] std::vector<PiecePair> conflicts(const PlacedPieces& pieces, const Executor& executor = serial(),
                                                const std::stop_token& stop = {});
 // True when some pair collides.

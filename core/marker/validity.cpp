@@ -136,8 +136,13 @@ std::optional<Error> defect_of_fixed(const Marker& marker, const std::vector<boo
                    "/pieces/" + std::to_string(*other)};
     }
   }
-  for (const auto& [first, second] : conflicts(pieces)) {
-    if (!fixed[first] || !fixed[second]) continue;
+  std::optional<PiecePair> least;
+  (void)any_pair_within(pieces, pieces.widest_spacing(), [&](PiecePair pair) {
+    if (fixed[pair.first] && fixed[pair.second] && (!least || pair < *least) && conflict(pieces, pair)) least = pair;
+    return false;
+  });
+  if (least) {
+    const auto [first, second] = *least;
     return Error{ErrorCode::kMarkerOverlaps,
                  "pieces \"" + marker.pieces[first].id + "\" and \"" + marker.pieces[second].id +
                      "\" must stay where they are, but overlap or are too close",

@@ -42,7 +42,7 @@ struct MatchFault {
   Vec by;  // lattice units
 };
 struct Validity {
-  std::vector<Overlap> overlaps;        // by (first, second)
+  std::vector<Overlap> overlaps;        // by (first, second); at most kMostConflicts of them (clearance.h)
   std::vector<Protrusion> protrusions;  // by piece
   std::vector<ShadeFault> shades;       // by the name of the shade
   std::vector<MatchFault> matches;      // by the name of the match set, and by piece
@@ -60,8 +60,8 @@ struct Validity {
 [[nodiscard]] Validity check(const Marker& marker, minkowski::SumCache& sums);
 // The same with cancellation.  Errors: kStoppedEarly.
 [[nodiscard]] Result<Validity> check(const Marker& marker, minkowski::SumCache& sums, const std::stop_token& stop);
-// All overlapping pairs, found exactly but without the costly depths: every depth is 0, and the witness is the centre
-// of the intersection of the two boxes.
+// All overlapping pairs, or kMostConflicts of them (clearance.h), found exactly but without the costly depths: every
+// depth is 0, and the witness is the centre of the intersection of the two boxes.
 [[nodiscard]] std::vector<Overlap> overlaps_unmeasured(const Marker& marker);
 // Pieces that must stay where they are have to lie validly.  `fixed`: at least for every placed piece, whether it is
 // one of them.

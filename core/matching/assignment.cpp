@@ -23,15 +23,17 @@ class AugmentingPaths {
         before_(costs.columns()),
         done_(costs.columns()) {}
 
-  Assignment solve() {
-    take_cheapest();
-    for (std::size_t row = 0; row < costs_.rows(); ++row) {
+  Assignment solve(const std::stop_token& stop) {
+    take_cheapest(stop);
+    for (std::size_t row = 0; row < costs_.rows() && !stop.stop_requested(); ++row) {
       if (column_of_[row] == kNone) augment(row);
     }
     Assignment assignment{
         .column_of = {}, .cost = 0, .row_prices = std::move(row_prices_), .column_prices = std::move(column_prices_)};
     for (std::size_t row = 0; row < costs_.rows(); ++row) {
-      assignment.column_of.emplace_back(column_of_[row]);
+      auto& column = assignment.column_of.emplace_back();
+      if (column_of_[row] == kNone) continue;  // it was cancelled
+      column = column_of_[row];
       assignment.cost += costs_(row, column_of_[row]);
     }
     return assignment;
@@ -43,8 +45,8 @@ class AugmentingPaths {
     row_of_[column] = row;
   }
 
-  void take_cheapest() {
-    for (std::size_t row = 0; row < costs_.rows(); ++row) {
+  void take_cheapest(const std::stop_token& stop) {
+    for (std::size_t row = 0; row < costs_.rows() && !stop.stop_requested(); ++row) {
       std::size_t cheapest = 0;
       for (std::size_t column = 1; column < costs_.columns(); ++column) {
         if (costs_(row, column) < costs_(row, cheapest)) cheapest = column;
@@ -126,21 +128,21 @@ Costs transposed(const Costs& costs) {
 
 }  // namespace
 
-Assignment assign(const Costs& costs) {
+Assignment assign(const Costs& costs, const std::stop_token& stop) {
   if (costs.rows() == 0 || costs.columns() == 0) {
     return {.column_of = std::vector<std::optional<std::size_t>>(costs.rows()),
             .cost = 0,
             .row_prices = std::vector<double>(costs.rows()),
             .column_prices = std::vector<double>(costs.columns())};
   }
-  if (costs.rows() <= costs.columns()) return AugmentingPaths{costs}.solve();
-  Assignment other = AugmentingPaths{transposed(costs)}.solve();
+  if (costs.rows() <= costs.columns()) return AugmentingPaths{costs}.solve(stop);
+  Assignment other = AugmentingPaths{transposed(costs)}.solve(stop);
   Assignment assignment{.column_of = std::vector<std::optional<std::size_t>>(costs.rows()),
                         .cost = other.cost,
                         .row_prices = std::move(other.column_prices),
                         .column_prices = std::move(other.row_prices)};
   for (std::size_t column = 0; column < costs.columns(); ++column) {
-    assignment.column_of[*other.column_of[column]] = column;
+    if (other.column_of[column]) assignment.column_of[*other.column_of[column]] = column;
   }
   return assignment;
 }

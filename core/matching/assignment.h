@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace selvage::matching {
@@ -39,7 +40,9 @@ struct Assignment {
   std::vector<double> row_prices, column_prices;
 };
 
+// When cancelled, rows may lack the column that they would get: a caller that may be cancelled looks at the token
+// afterwards.
 // REQUIRES: all costs are finite.
-[[nodiscard]] Assignment assign(const Costs& costs);
+[[nodiscard]] Assignment assign(const Costs& costs, const std::stop_token& stop = {});
 
 }  // namespace selvage::matching

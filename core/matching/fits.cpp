@@ -78,7 +78,7 @@ std::vector<Orientation> orientations_of(const Shape& shape, const Orientation& 
   return all;
 }
 
-FitTable::FitTable(const Marker& order, std::span<const Slot> slots) {
+FitTable::FitTable(const Marker& order, std::span<const Slot> slots, const std::stop_token& stop) {
   std::map<SlotKey, std::size_t> kinds;
   std::vector<const Slot*> firsts;
   for (const Slot& slot : slots) {
@@ -91,6 +91,7 @@ FitTable::FitTable(const Marker& order, std::span<const Slot> slots) {
     firsts.push_back(&slot);
   }
   for (const Shape& shape : order.shapes) {
+    if (stop.stop_requested()) return;
     DrawnShape drawn{shape};
     tilt_limits_.push_back(shape.tilt_limit);
     auto& fits = fits_.emplace_back();

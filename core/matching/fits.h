@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -42,10 +43,11 @@ struct Fit {
   Orientation orientation;
 };
 
-// The fits of every shape of an order into every slot.  Slots that are alike are compared once.
+// The fits of every shape of an order into every slot.  Slots that are alike are compared once.  When cancelled, there
+// are no fits of some shapes: a caller that may be cancelled looks at the token before it asks for any.
 class FitTable {
  public:
-  FitTable(const Marker& order, std::span<const Slot> slots);
+  FitTable(const Marker& order, std::span<const Slot> slots, const std::stop_token& stop = {});
 
   // One for each orientation of the shape, the cheapest first; of equally cheap ones, the slot's own first.
   [[nodiscard]] std::vector<Fit> all(ShapeId shape, std::size_t slot) const;

@@ -38,8 +38,9 @@ struct Compared {
 
 class Comparison {
  public:
-  Comparison(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices)
-      : fits_{order.marker, slots}, prices_{prices} {
+  Comparison(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices,
+             const std::stop_token& stop)
+      : fits_{order.marker, slots, stop}, prices_{prices} {
     for (const auto* list : {&order.marker.pieces, &order.marker.unplaced}) {
       for (const Piece& piece : *list) {
         const Shape& shape = order.marker.shapes[piece.shape.value];
@@ -52,9 +53,10 @@ class Comparison {
     }
   }
 
-  [[nodiscard]] Costs costs() const {
+  // When cancelled, some of them are 0.
+  [[nodiscard]] Costs costs(const std::stop_token& stop) const {
     Costs costs{pieces_.size(), slots_.size()};
-    for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+    for (std::size_t piece = 0; piece < pieces_.size() && !stop.stop_requested(); ++piece) {
       for (std::size_t slot = 0; slot < slots_.size(); ++slot) costs(piece, slot) = cost(piece, slot);
     }
     return costs;
@@ -86,9 +88,12 @@ class Comparison {
 
 }  // namespace
 
-Pairing pair_pieces(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices) {
-  const Comparison comparison{order, slots, prices};
-  const Assignment assignment = assign(comparison.costs());
+Pairing pair_pieces(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices,
+                    const std::stop_token& stop) {
+  const Comparison comparison{order, slots, prices, stop};
+  if (stop.stop_requested()) return {};
+  const Assignment assignment = assign(comparison.costs(stop), stop);
+  if (stop.stop_requested()) return {};
   Pairing pairing;
   std::vector<bool> taken(comparison.slots());
   for (std::size_t piece = 0; piece < comparison.pieces(); ++piece) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "core/marker/marker.h"
@@ -31,6 +32,8 @@ struct Pairing {
 };
 // Laws.  (1) Deterministic.  (2) A marker's own pieces are paired with themselves, or with pieces that are equal, names
 // and sizes included, at difference 0.  (3) Labels raise the sum of the fits' costs by at most the sum of their prices.
-[[nodiscard]] Pairing pair_pieces(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices);
+// When cancelled, the pairing may be empty: a caller that may be cancelled looks at the token afterwards.
+[[nodiscard]] Pairing pair_pieces(const LabelledMarker& order, std::span<const Slot> slots, const LabelPrices& prices,
+                                  const std::stop_token& stop = {});
 
 }  // namespace selvage::matching

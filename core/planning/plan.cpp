@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -150,12 +151,20 @@ class Planner {
     plan_.complete = best_.has_value();
     plan_.cutting = best_ ? *std::move(best_) : *std::move(estimated_);
     plan_.bound = std::min(plan_.bound, plan_.cutting.cost);
+    if (auto too_many = orders::too_many_lays(number_of_lays(plan_.cutting))) return *std::move(too_many);
     plan_.lays = lays_of(problem_, plan_.cutting);
     plan_.rolls = rolls_of(problem_, plan_.cutting, plan_.lays);
     plan_.made = static_cast<std::size_t>(
         std::count_if(made_.begin(), made_.end(), [](const auto& one) { return one.second.has_value(); }));
     plan_.end = end;
     return std::move(plan_);
+  }
+
+  // Without listing them: lays that are less full than those of orders::mistake_in may be many more.
+  [[nodiscard]] std::int64_t number_of_lays(const Cutting& cutting) const {
+    std::int64_t lays = 0;
+    for (const Use& use : cutting.uses) lays += program::lays_of(problem_, use);
+    return lays;
   }
 
   // Names what is in the way: a size whose single bundle cannot be cut, or the limits together.

@@ -72,7 +72,8 @@ struct Plan {
 };
 
 // Errors: those of orders::mistake_in; kOutOfRange when no plan delivers the order within its limits, `field` being the
-// quantity or the limit that is in the way; kStoppedEarly when it was cancelled before there was a plan.
+// quantity or the limit that is in the way, or when the plan takes more lays than orders::kMostLays; kStoppedEarly when
+// it was cancelled before there was a plan.
 [[nodiscard]] Result<Plan> plan_cut(const orders::Problem& problem, const PlanSettings& settings,
                                     const MakeMarker& make, const PlanRun& run);
 

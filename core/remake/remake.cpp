@@ -174,8 +174,8 @@ Result<Remake> remake(const matching::LabelledMarker& labelled, std::span<const 
                       const RemakeSettings& settings, const scene::Run& run) {
   const Marker& order = labelled.marker;
   if (auto defect = defect_of(order)) return *std::move(defect);
-  const std::vector<Candidate> candidates =
-      substitution::candidates_for(labelled, stored, settings.concatenate, settings.attempt.tuning, *run.executor);
+  const std::vector<Candidate> candidates = substitution::candidates_for(
+      labelled, stored, settings.concatenate, settings.attempt.tuning, *run.executor, run.stop);
   Remake remake;
   remake.marker = order;
   remake.length_before = length_of(order);

@@ -96,15 +96,22 @@ std::optional<Error> refuse_deep(const scene::Scene& scene, const std::vector<Co
     return Error{ErrorCode::kOutsideStrip, *scattered + "; at most " + decimal(scene, limit) + " is repaired",
                  "/shade"};
   }
+  const bool heap = conflicts.size() >= marker::kMostConflicts;
+  const std::string closer = scene.pieces.widest_spacing() > 0 ? ", or come closer than the spacing," : "";
   std::vector<Conflict> deep;
   std::copy_if(conflicts.begin(), conflicts.end(), std::back_inserter(deep),
                [&](const Conflict& conflict) { return conflict.target.depth > limit; });
+  if (deep.empty() && heap) {
+    return Error{ErrorCode::kMarkerOverlaps,
+                 "at least " + std::to_string(conflicts.size()) +
+                     " pairs of pieces overlap or are too close; fewer are repaired: " + named(scene, conflicts),
+                 "/pieces"};
+  }
   if (deep.empty()) return std::nullopt;
   const std::string pairs = deep.size() == 1 ? " pair of pieces overlaps" : " pairs of pieces overlap";
-  const std::string closer = scene.pieces.widest_spacing() > 0 ? ", or come closer than the spacing," : "";
   return Error{ErrorCode::kMarkerOverlaps,
-               std::to_string(deep.size()) + pairs + closer + " by more than the " + decimal(scene, limit) +
-                   " that is repaired: " + named(scene, deep),
+               (heap ? "at least " : "") + std::to_string(deep.size()) + pairs + closer + " by more than the " +
+                   decimal(scene, limit) + " that is repaired: " + named(scene, deep),
                "/pieces"};
 }
 

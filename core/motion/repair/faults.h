@@ -16,14 +16,15 @@ struct Conflict {
   marker::PiecePair pair;
   SeparationTarget target;
 };
-// All conflicts, sorted by pair.  When cancelled, only some.
+// All conflicts, sorted by pair; at most marker::kMostConflicts of them.  When cancelled, only some.
 [[nodiscard]] std::vector<Conflict> find_conflicts(const scene::Scene& scene, const scene::Run& run);
 
 // By how much a piece leaves the strip; at least 0; lattice units.
 [[nodiscard]] Coord protrusion(const scene::Scene& scene, std::size_t piece);
 [[nodiscard]] bool any_protrusion(const scene::Scene& scene);
 
-// Refuses faults that are deeper than the limit, in lattice units.  Errors: kOutsideStrip, kMarkerOverlaps.
+// Refuses faults that are deeper than the limit, in lattice units, and marker::kMostConflicts conflicts or more.
+// Errors: kOutsideStrip, kMarkerOverlaps.
 [[nodiscard]] std::optional<Error> refuse_deep(const scene::Scene& scene, const std::vector<Conflict>& conflicts,
                                                double limit);
 // The error when no motion repairs the faults.  REQUIRES: the pieces are where they were; there is a fault.

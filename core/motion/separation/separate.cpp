@@ -37,10 +37,15 @@ Coord allowed_length(const Marker& start, Coord length, double grow) {
   return std::min(allowed, start.strip.last().value_or(allowed));
 }
 
-Coord length_put_back(const Marker& start, SumCache& sums) {
-  scene::Scene scene{start, sums};
+// The pieces put back into the strip, before anything else is done.
+struct PutBack {
+  Coord length{};
+  bool heap{};  // more pairs overlap than are listed
+};
+PutBack put_back(const Marker& start, const scene::Run& run) {
+  scene::Scene scene{start, run.sums};
   move_into_strip(scene, start.strip.last().value_or(kLatticeLimit));
-  return scene.pieces.length();
+  return {scene.pieces.length(), conflicts(scene.pieces, *run.executor, run.stop).size() >= marker::kMostConflicts};
 }
 
 // The pieces still in the marker, as they were in the input.
@@ -81,9 +86,16 @@ void sum_up(Separation& result, const std::vector<Vec>& home, const scene::Run& 
 Result<Separation> separate(const Marker& start, const SeparationSettings& settings, const scene::Run& run) {
   run.observer.on_stage(scene::Stage::kOther);
   if (const auto refusal = refuse(start, settings)) return *refusal;
+  const PutBack inside = put_back(start, run);
+  if (inside.heap) {
+    return Error{ErrorCode::kMarkerOverlaps,
+                 "at least " + std::to_string(marker::kMostConflicts) +
+                     " pairs of pieces overlap or are too close; fewer are allowed",
+                 "/pieces"};
+  }
   Separation result;
   result.marker = start;
-  result.length_before = length_put_back(start, run.sums);
+  result.length_before = inside.length;
   const Coord allowed = allowed_length(start, result.length_before, settings.grow);
   Original pieces = original(start);
   for (;;) {

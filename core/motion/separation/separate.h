@@ -48,7 +48,8 @@ struct Separation : repair::MotionResult {
   std::vector<PieceId> popped;             // pieces of the input that were removed, in this order; not in `marker`
 };
 
-// Errors: kOutsideStrip for a locked piece outside the strip; kOutOfRange for a grow below 0 or not finite.
+// Errors: kOutsideStrip for a locked piece outside the strip; kOutOfRange for a grow below 0 or not finite;
+// kMarkerOverlaps when marker::kMostConflicts pairs of pieces or more overlap or are too close.
 [[nodiscard]] Result<Separation> separate(const Marker& start, const SeparationSettings& settings,
                                           const scene::Run& run);
 

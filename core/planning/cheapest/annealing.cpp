@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <utility>
 
@@ -40,12 +41,12 @@ class Annealer {
         colours_{problem.order.colours.size()},
         sizes_{problem.order.sizes.size()},
         random_{settings.seed} {
-    int garments = 0;  // as many as a unit of plies cuts count as one
+    std::int64_t garments = 0;  // as many as a unit of plies cuts count as one
     for (std::size_t colour = 0; colour < colours_; ++colour) {
       windows_.push_back(program::window_of(problem, colour));
       for (const int least : windows_.back().least) garments += least;
     }
-    misfit_price_ = kMisfit * settings.scale / std::max(1, garments);
+    misfit_price_ = kMisfit * settings.scale / static_cast<double>(std::max<std::int64_t>(1, garments));
   }
 
   std::optional<Cutting> run(const std::stop_token& stop) {
@@ -76,8 +77,8 @@ class Annealer {
     const program::Window& window = windows_[colour];
     return std::max({0, window.least[size] - delivered, delivered - window.most[size]});
   }
-  [[nodiscard]] int outside(const State& state) const {
-    int sum = 0;
+  [[nodiscard]] std::int64_t outside(const State& state) const {
+    std::int64_t sum = 0;
     for (std::size_t colour = 0; colour < colours_; ++colour) {
       for (std::size_t size = 0; size < sizes_; ++size)
         sum += outside(colour, size, state.delivered[colour * sizes_ + size]);
@@ -94,7 +95,7 @@ class Annealer {
       const int lays = (units + problem_.units_of_lay() - 1) / problem_.units_of_lay();
       cost += state.slots[k].unit * units + state.slots[k].lay * lays + problem_.costs.marker;
     }
-    return cost + misfit_price_ * outside(state);
+    return cost + misfit_price_ * static_cast<double>(outside(state));
   }
 
   [[nodiscard]] Slot slot_of(Candidate candidate) const {

@@ -36,9 +36,16 @@ class Bundler {
     marker_.strip.longest.reset();
     marker_.spacing = style.spacing;
     marker_.overlap = style.overlap;
+    marker_.shade = style.shade;
   }
 
-  void add(const Piece& piece, int bundle) {
+  // The pieces that follow are those of a new bundle, this one of its size.
+  void begin(int bundle) {
+    bundle_ = bundle;
+    own_shades_.clear();
+  }
+
+  void add(const Piece& piece) {
     Piece copy = piece;
     const auto [known, fresh] = shapes_.try_emplace(piece.shape, static_cast<std::uint32_t>(marker_.shapes.size()));
     if (fresh) marker_.shapes.push_back(style_.shapes[piece.shape.value]);
@@ -46,17 +53,33 @@ class Bundler {
     copy.at = {};
     copy.locked = {false, false, piece.locked.tilt};
     copy.group.clear();
-    if (bundle > 0) copy.id += " #" + std::to_string(bundle + 1);
+    copy.id = numbered(piece.id);
     while (!ids_.insert(copy.id).second) copy.id += "'";
+    if (!piece.rules.shade.empty()) copy.rules.shade = own_shade(piece.rules.shade);
     marker_.unplaced.push_back(std::move(copy));
   }
   [[nodiscard]] Marker take() { return std::move(marker_); }
 
  private:
+  [[nodiscard]] std::string numbered(const std::string& name) const {
+    return bundle_ > 0 ? name + " #" + std::to_string(bundle_ + 1) : name;
+  }
+
+  // The name in this bundle of a shade of the style; no other bundle has it.
+  const std::string& own_shade(const std::string& shade) {
+    const auto [known, fresh] = own_shades_.try_emplace(shade);
+    if (!fresh) return known->second;
+    std::string own = numbered(shade);
+    while (!shades_.insert(own).second) own += "'";
+    return known->second = std::move(own);
+  }
+
   const Marker& style_;
   Marker marker_;
   std::map<ShapeId, std::uint32_t> shapes_;
-  std::set<std::string> ids_;
+  std::set<std::string> ids_, shades_;
+  int bundle_{};
+  std::map<std::string, std::string> own_shades_;  // of this bundle, by those of the style
 };
 
 }  // namespace
@@ -76,7 +99,8 @@ Marker bundles_of(const Garments& garments, const orders::Ratio& ratio) {
   Bundler bundler{garments.style};
   for (std::size_t size = 0; size < ratio.size(); ++size) {
     for (int bundle = 0; bundle < ratio[size]; ++bundle) {
-      for (const std::size_t position : garments.sizes[size]) bundler.add(piece_at(garments.style, position), bundle);
+      bundler.begin(bundle);
+      for (const std::size_t position : garments.sizes[size]) bundler.add(piece_at(garments.style, position));
     }
   }
   return bundler.take();

@@ -25,7 +25,7 @@ struct Garments {
 
 // The bundles of the ratio, none of them placed, on the style's cloth: with the shapes that they need, no limit of
 // length, and no locks in x and y.  The second bundle of a size has ids that end in " #2", and so on; the first keeps
-// those of the style, if they are unique.
+// those of the style, if they are unique.  Shades are named in the same way, so that each holds within one bundle.
 [[nodiscard]] Marker bundles_of(const Garments& garments, const orders::Ratio& ratio);
 
 // A piece of the size that has no mirror image in its bundle, by its position in `sizes`; none when the garment may be

@@ -100,6 +100,14 @@ int Problem::most(std::size_t colour, std::size_t size) const {
   return std::max(rounded_up, static_cast<int>(std::floor(garments * (1 + limits.over) + kRounding)));
 }
 
+std::optional<Error> too_many_lays(std::int64_t lays) {
+  if (lays <= kMostLays) return std::nullopt;
+  return Error{ErrorCode::kOutOfRange,
+               "the order takes " + std::to_string(lays) + " lays or more; at most " + std::to_string(kMostLays) +
+                   " are allowed: allow more plies in a lay, or more bundles in a marker",
+               "/limits/plies"};
+}
+
 std::optional<Error> mistake_in(const Problem& problem) {
   const Order& order = problem.order;
   const auto missing = [](const char* what) { return Error{ErrorCode::kMissingField, what, "/quantities"}; };
@@ -110,7 +118,7 @@ std::optional<Error> mistake_in(const Problem& problem) {
   if (order.garments.size() != order.colours.size()) return missing("a colour has no quantities");
   if (auto mistake = mistake_in_numbers(problem)) return mistake;
   if (auto mistake = mistake_in_remnants(problem)) return mistake;
-  bool any = false;
+  std::int64_t must = 0;  // garments that must be cut
   for (std::size_t colour = 0; colour < order.colours.size(); ++colour) {
     const std::string at = "/quantities/" + order.colours[colour];
     if (order.garments[colour].size() != order.sizes.size()) return missing("a colour lacks the number of a size");
@@ -120,11 +128,12 @@ std::optional<Error> mistake_in(const Problem& problem) {
         return Error{ErrorCode::kOutOfRange, std::to_string(garments) + " garments; 0 to 1000000 are allowed",
                      at + "/" + order.sizes[size].name};
       }
-      any = any || problem.least(colour, size) > 0;
+      must += problem.least(colour, size);
     }
   }
-  if (!any) return missing("the order has no garments that must be cut");
-  return std::nullopt;
+  if (must == 0) return missing("the order has no garments that must be cut");
+  const std::int64_t of_lay = std::int64_t{problem.units_of_lay()} * problem.plies_of_unit() * problem.limits.bundles;
+  return too_many_lays((must + of_lay - 1) / of_lay);
 }
 
 }  // namespace selvage::planning::orders

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,10 +96,14 @@ inline constexpr std::size_t kMostSizes = 50, kMostColours = 50;
 inline constexpr int kMostGarments = 1'000'000;  // of a colour and size
 inline constexpr int kMostPlies = 1'000, kMostBundles = 50;
 inline constexpr std::size_t kMostRemnants = 100;
+inline constexpr std::int64_t kMostLays = 100'000;  // of a plan
+
+// What is wrong with a number of lays.  `field` is "/limits/plies".  Errors: kOutOfRange when it exceeds kMostLays.
+[[nodiscard]] std::optional<Error> too_many_lays(std::int64_t lays);
 
 // What is wrong with the problem: no size, colour or garment, a number that is not finite, negative or beyond what is
-// allowed.  `field` points into {"quantities": {colour: {size: garments}}, "limits", "costs", "cloth"}.
-// Errors: kOutOfRange, kMissingField.
+// allowed, or more lays than allowed even if all of them are full.  `field` points into {"quantities": {colour: {size:
+// garments}}, "limits", "costs", "cloth"}. Errors: kOutOfRange, kMissingField.
 [[nodiscard]] std::optional<Error> mistake_in(const Problem& problem);
 
 }  // namespace selvage::planning::orders

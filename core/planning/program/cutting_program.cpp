@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -90,15 +91,15 @@ void CuttingProgram::add_counts(int fewest) {
     lays.push_back({columns.lays, 1});
   }
   program_.linear.add_row(markers, fewest);
-  const int of_unit = problem_.limits.bundles * problem_.plies_of_unit();
-  int units = 0;
+  const std::int64_t of_unit = problem_.limits.bundles * problem_.plies_of_unit();
+  std::int64_t units = 0;
   for (std::size_t colour = 0; colour < problem_.order.colours.size(); ++colour) {
-    int garments = 0;
+    std::int64_t garments = 0;
     for (std::size_t size = 0; size < problem_.order.sizes.size(); ++size) garments += problem_.least(colour, size);
     units += (garments + of_unit - 1) / of_unit;
   }
-  const int fewest_lays = (units + problem_.units_of_lay() - 1) / problem_.units_of_lay();
-  program_.linear.add_row(lays, fewest_lays);
+  const std::int64_t fewest_lays = (units + problem_.units_of_lay() - 1) / problem_.units_of_lay();
+  program_.linear.add_row(lays, static_cast<double>(fewest_lays));
 }
 
 void CuttingProgram::add_deliveries() {

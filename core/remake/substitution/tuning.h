@@ -15,6 +15,8 @@ struct RemakeTuning {
   double difference_price{0.4};  // predicted loss of utilisation for a unit of difference, beside that of the area
   double least_area{0.8};        // stored area relative to the order's; smaller markers are parts of concatenations
   double most_area{1.25};
+  // Of pieces with the places of stored ones, and of shapes in each way in which they may lie: more take gigabytes.
+  std::size_t most_compared{25'000'000};
   // Substitution:
   matching::LabelPrices labels{};  // of names and sizes that differ
   double ambiguous{1.15};          // orientations that cost at most this factor more are judged by their overlaps

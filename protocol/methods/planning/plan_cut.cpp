@@ -127,6 +127,7 @@ calls::StopCause stop_of(core::PlanEnd end, const calls::MethodContext& context)
 // The core names its own fields; on the wire they have others.
 Error on_the_wire(Error error) {
   if (error.field == "/limits/table") error.field = "/table";
+  if (error.field == "/limits/plies") error.field = "/plies";
   if (error.field == "/limits") error.field = "/quantities";
   if (error.field.starts_with("/cloth/")) error.field.erase(0, std::string_view{"/cloth"}.size());
   return error;

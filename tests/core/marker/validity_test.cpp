@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/marker/clearance.h"
 #include "core/marker/placed_pieces.h"
 #include "core/minkowski/cache.h"
 #include "core/minkowski/nearest_edges.h"
@@ -21,6 +23,15 @@ marker::Validity checked(const Marker& marker) {
   EXPECT_EQ(validity.valid(), is_valid(marker));
   return validity;
 }
+
+// Runs the parts of a task in the opposite order, as threads might.
+class Backwards final : public Executor {
+ public:
+  [[nodiscard]] std::size_t parallelism() const override { return 4; }
+  void for_each(std::size_t count, const Part& part) const override {
+    while (count > 0) part(--count);
+  }
+};
 
 TEST(Validity, AllowsTouchingPieces) {
   EXPECT_TRUE(checked(squares({{0, 0}, {10, 0}, {10, 10}, {0, 90}})).valid());
@@ -47,6 +58,26 @@ TEST(Validity, CanBeCancelled) {
   const auto stopped = check(squares({{0, 0}, {7, 2}}), sums, source.get_token());
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::kStoppedEarly);
+}
+
+// Of 1,500 pieces at one position, 1,124,250 pairs overlap.
+TEST(Validity, ListsOverlapsUpToALimit) {
+  const Marker heap = squares(std::vector<Vec>(1'500, Vec{}));
+  const marker::PlacedPieces pieces{heap};
+  const auto listed = conflicts(pieces);
+  ASSERT_EQ(listed.size(), 1'000'000U);
+  EXPECT_TRUE(std::is_sorted(listed.begin(), listed.end()));
+  EXPECT_EQ(std::adjacent_find(listed.begin(), listed.end()), listed.end());
+  EXPECT_TRUE(listed == conflicts(pieces, Backwards{}));
+  EXPECT_EQ(overlaps_unmeasured(heap).size(), listed.size());
+}
+
+TEST(Validity, NamesTheFirstFixedPiecesThatOverlap) {
+  const Marker marker = squares({{0, 0}, {55, 0}, {5, 5}, {50, 0}, {9, 9}});
+  const auto defect = defect_of_fixed(marker, {false, true, true, true, true});
+  ASSERT_TRUE(defect);
+  EXPECT_EQ(defect->field, "/pieces/3");
+  EXPECT_FALSE(defect_of_fixed(marker, {true, true, false, false, false}));
 }
 
 TEST(Validity, FindsTheSameOverlapsUnmeasured) {

@@ -144,6 +144,16 @@ TEST(Assignment, OfNothingIsEmpty) {
   EXPECT_EQ(assign(Costs{0, 2}).cost, 0);
 }
 
+TEST(Assignment, IsEmptyWhenCancelled) {
+  std::stop_source stop;
+  stop.request_stop();
+  for (const auto& [rows, columns] : {std::pair{4U, 5U}, {5U, 4U}}) {
+    const Assignment assignment = assign(Costs{rows, columns}, stop.get_token());
+    EXPECT_EQ(assignment.column_of, std::vector<std::optional<std::size_t>>(rows));
+    EXPECT_EQ(assignment.cost, 0);
+  }
+}
+
 TEST(Assignment, PrefersTheFirstOfEqualColumns) {
   const Assignment assignment = assign(Costs{2, 4});
   EXPECT_EQ(assignment.column_of[0], 0U);

@@ -41,6 +41,13 @@ TEST(Pairing, OfAMarkersOwnPiecesHasNoDifference) {
   }
 }
 
+TEST(Pairing, IsEmptyWhenCancelled) {
+  const Marker marker = test::garment("jeans_02g");
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(pair_pieces({marker, {}}, slots_of(marker), {}, stop.get_token()).pairs.empty());
+}
+
 TEST(Pairing, LeavesOutPiecesThatMatchNoSlot) {
   Marker order = test::garment("jeans_02g");
   std::vector<Slot> slots = slots_of(order);

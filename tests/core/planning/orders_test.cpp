@@ -71,6 +71,26 @@ TEST(Problem, NamesItsFirstMistake) {
   EXPECT_TRUE(mistake_in(Problem{}));
 }
 
+TEST(Problem, LimitsTheNumberOfLays) {
+  Problem problem = order_of(1'000'000);
+  problem.limits.bundles = 1;
+  problem.limits.plies = 10;
+  EXPECT_FALSE(mistake_in(problem)) << "100,000 lays";
+  problem.limits.plies = 9;
+  const auto mistake = mistake_in(problem);
+  ASSERT_TRUE(mistake);
+  EXPECT_EQ(mistake->code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(mistake->field, "/limits/plies");
+  EXPECT_NE(mistake->message.find("111112 lays"), std::string::npos) << mistake->message;
+  EXPECT_NE(mistake->message.find("at most 100000"), std::string::npos) << mistake->message;
+  problem.limits.bundles = 2;
+  EXPECT_FALSE(mistake_in(problem));
+  problem.limits.bundles = 1;
+  problem.limits.plies = 11;
+  problem.cloth.spread = Spread::kFaceToFace;
+  EXPECT_FALSE(mistake_in(problem)) << "five pairs of plies in a lay";
+}
+
 TEST(Problem, NamesMistakesInRollsAndRemnants) {
   Problem problem = order_of(5);
   problem.cloth.roll_length = 11'999;

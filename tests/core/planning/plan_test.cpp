@@ -6,6 +6,7 @@
 #include <atomic>
 #include <set>
 
+#include "core/marker/validity.h"
 #include "core/planning/making/garments.h"
 #include "core/planning/making/mirror.h"
 #include "core/planning/making/nested_markers.h"
@@ -193,6 +194,20 @@ TEST(Plan, SaysWhatIsInTheWay) {
   EXPECT_EQ(plan_cut(problem, quick(), known_lengths(problem), {}).error().field, "/costs/lay");
 }
 
+// Two bundles may lie in a marker, but the table is too short for them, so there are more lays than the limits suggest.
+TEST(Plan, RefusesMoreLaysThanAreAllowed) {
+  Problem problem;
+  problem.order = {{{"M", 1.5e6, 21'000}}, {"red"}, {{150'000}}};
+  problem.cloth.width = 1500;
+  problem.limits = {.plies = 1, .table = 1'500, .bundles = 2};
+  ASSERT_FALSE(mistake_in(problem));
+  const auto plan = plan_cut(problem, quick(), known_lengths(problem), {});
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().code, ErrorCode::kOutOfRange);
+  EXPECT_EQ(plan.error().field, "/limits/plies");
+  EXPECT_NE(plan.error().message.find("150000 lays"), std::string::npos) << plan.error().message;
+}
+
 TEST(Plan, IsTheSameOnAnyNumberOfThreads) {
   const Problem problem = trousers();
   const auto alone = plan_cut(problem, quick(), known_lengths(problem), {});
@@ -270,6 +285,28 @@ TEST(Making, BundlesHaveTheShapesAndIdsThatTheyNeed) {
   EXPECT_EQ(bundles.unplaced[0].id, "M left");
   EXPECT_EQ(bundles.unplaced[3].id, "M right #2");
   EXPECT_TRUE(marker::make_marker(bundles));
+}
+
+TEST(Making, BundlesKeepTheShadeLengthWithinEachOfThem) {
+  Marker style = rectangles();
+  style.shade = 500'000;
+  for (Piece& piece : style.unplaced) piece.rules.shade = "A";
+  style.unplaced[1].rules.shade.clear();
+  const making::Garments garments{*marker::make_marker(style), {{0, 1}, {2, 3}}};
+  const Marker bundles = making::bundles_of(garments, {1, 2});
+  EXPECT_EQ(bundles.shade, style.shade);
+  ASSERT_EQ(bundles.unplaced.size(), 6U);
+  std::vector<std::string> shades;
+  for (const Piece& piece : bundles.unplaced) shades.push_back(piece.rules.shade);
+  EXPECT_EQ(shades, (std::vector<std::string>{"A", "", "A'", "A'", "A #2", "A #2"}));
+  EXPECT_TRUE(marker::make_marker(bundles));
+
+  SumCache sums;
+  const scene::Run run{sums};
+  making::MadeMarkers made{garments, making::nest_from_nothing({20, 1}), run};
+  ASSERT_TRUE(made.make({0, 3}));
+  EXPECT_EQ(made.find({0, 3})->shade, style.shade);
+  EXPECT_TRUE(marker::is_valid(*made.find({0, 3})));
 }
 
 TEST(Making, NestsMarkersOfTheirRatio) {

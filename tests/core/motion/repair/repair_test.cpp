@@ -62,6 +62,21 @@ TEST(Repair, RefusesDeepOverlapsAndNamesThem) {
   EXPECT_EQ(out, start);
 }
 
+// Of 1,500 pieces at one position, 1,124,250 pairs overlap; a piece no larger than the limit overlaps none deeply.
+TEST(Repair, RefusesHeaps) {
+  for (const Coord side : {200'000, 100}) {
+    Layout layout{1'000'000};
+    const auto square = layout.shape_of(test::rectangle(side, side));
+    for (int k = 0; k < 1'500; ++k) layout.put(square, {0, 0});
+    Marker out;
+    const auto repair = healed(layout.marker(), out);
+    ASSERT_FALSE(repair);
+    EXPECT_EQ(repair.error().code, ErrorCode::kMarkerOverlaps);
+    EXPECT_TRUE(repair.error().message.starts_with("at least 1000000 pairs of pieces overlap"))
+        << repair.error().message;
+  }
+}
+
 TEST(Repair, ReturnsPiecesThatLeaveTheStripSlightly) {
   Marker start = pair_overlapping_by(0);
   start.pieces[0].at = {-5, -50};

@@ -32,6 +32,19 @@ Marker two_squares(Coord depth) {
   return layout.marker();
 }
 
+// Of 1,500 pieces at one position, 1,124,250 pairs overlap.
+TEST(Separate, RefusesHeaps) {
+  Layout layout{1'000'000};
+  const auto square = layout.shape_of(test::rectangle(200'000, 200'000));
+  for (int k = 0; k < 1'500; ++k) layout.put(square, {0, 0});
+  SumCache sums;
+  const auto heap = separate(layout.marker(), {}, {sums});
+  ASSERT_FALSE(heap);
+  EXPECT_EQ(heap.error().code, ErrorCode::kMarkerOverlaps);
+  EXPECT_EQ(heap.error().field, "/pieces");
+  EXPECT_TRUE(heap.error().message.starts_with("at least 1000000 pairs")) << heap.error().message;
+}
+
 TEST(Separate, DoesNotChangeAValidMarker) {
   const Marker start = two_squares(0);
   const auto result = separated(start);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/remake/substitution/choice.h"
 #include "tests/core/remake/orders.h"
 #include "tests/laws/random_marker.h"
@@ -73,6 +75,32 @@ TEST(Candidates, IncludeConcatenationsForLongOrders) {
   EXPECT_EQ(found[0].arrangement.stored, (std::vector<std::size_t>{0, 0}));
   EXPECT_EQ(found[0].difference, 0);
   EXPECT_TRUE(candidates_for(test::unlabelled(order), test::unlabelled(stored), false, {}, serial()).empty());
+
+  std::size_t ways = 0;
+  for (const Shape& shape : order.shapes) ways += matching::orientations_of(shape, {}).size();
+  RemakeTuning tuning;
+  tuning.most_compared = std::max(ways, order.unplaced.size()) * 2 * jeans.pieces.size();
+  EXPECT_EQ(candidates_for(test::unlabelled(order), test::unlabelled(stored), true, tuning, serial()).size(), 1U);
+  --tuning.most_compared;
+  EXPECT_TRUE(candidates_for(test::unlabelled(order), test::unlabelled(stored), true, tuning, serial()).empty());
+}
+
+TEST(Candidates, AreNotTooManyPiecesToCompare) {
+  const Marker jeans = test::garment("jeans_02g");
+  const auto order = test::unlabelled(test::order_of(jeans));
+  const std::vector<Marker> stored{jeans};
+  RemakeTuning tuning;
+  tuning.most_compared = jeans.pieces.size() * jeans.pieces.size() - 1;
+  EXPECT_TRUE(candidates_for(order, test::unlabelled(stored), true, tuning, serial()).empty());
+}
+
+TEST(Candidates, AreNoneWhenCancelled) {
+  const Marker jeans = test::garment("jeans_02g");
+  const auto order = test::unlabelled(test::order_of(jeans));
+  const std::vector<Marker> stored{jeans};
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(candidates_for(order, test::unlabelled(stored), true, {}, serial(), stop.get_token()).empty());
 }
 
 }  // namespace

@@ -203,6 +203,7 @@ class NestedSheets:
     revision: int
     sheets: tuple[NestedSheet, ...]
     left_over: tuple[str, ...]
+    cost: float
     moves: int
     stop: str
 
