@@ -27,9 +27,9 @@ struct OnCloth {
 // even.
 [[nodiscard]] OnCloth on_cloth(const Marker& start, std::span<const PieceId> wanted, Coord clearance = 0);
 
-// Pieces from this one on that no position allows as they are turned, because of a nap, a fold or a width, take the first
-// orientation of their shape in which some does: a listed one, or a quarter turn of a shape that turns freely.  Those
-// whose tilt is locked, and those that may lie in none, stay as they are.
+// Pieces from this one on that no position allows as they are turned, because of a nap, a fold or a width, take the
+// first orientation of their shape in which some does: a listed one, or a quarter turn of a shape that turns freely.
+// Those whose tilt is locked, and those that may lie in none, stay as they are.
 void turn_to_lie(Marker& marker, std::size_t from);
 
 // True when some pair of the marker's pieces, placed or not, may overlap.
