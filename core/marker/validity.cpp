@@ -11,6 +11,8 @@
 namespace selvage::marker {
 namespace {
 
+constexpr std::size_t kMostMeasured = 500'000;  // overlaps; an answer with more has more values than JSON may have
+
 Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marker, SumCache& sums) {
   const auto [first, second] = pair;
   const geometry::PlacedPolygon p = pieces.facing(first, second);
@@ -74,7 +76,7 @@ Result<Validity> check(const Marker& marker, SumCache& sums, const std::stop_tok
   Validity validity;
   const PlacedPieces pieces{marker};
   for (const PiecePair& pair : conflicts(pieces, serial(), stop)) {
-    if (stop.stop_requested()) break;
+    if (stop.stop_requested() || validity.overlaps.size() == kMostMeasured) break;
     validity.overlaps.push_back(measured(pair, pieces, marker, sums));
   }
   if (stop.stop_requested()) {

@@ -43,7 +43,7 @@ struct CheckResult {
 
   static void describe(auto& v, auto& self) {
     v.required("valid", self.valid, calls::kValidMeaning);
-    v.required("overlaps", self.overlaps, "Pairs that overlap or are too close; at most 1,000,000 of them.");
+    v.required("overlaps", self.overlaps, "Pairs that overlap or are too close; at most 500,000 of them.");
     v.required("protrusions", self.protrusions,
                "Pieces that extend beyond the strip, or beyond the room that their rules allow.");
     v.optional("shades", self.shades, "Shades whose pieces are too far from each other; absent when there are none.");

@@ -70,6 +70,8 @@ TEST(Validity, ListsOverlapsUpToALimit) {
   EXPECT_EQ(std::adjacent_find(listed.begin(), listed.end()), listed.end());
   EXPECT_TRUE(listed == conflicts(pieces, Backwards{}));
   EXPECT_EQ(overlaps_unmeasured(heap).size(), listed.size());
+  SumCache sums;
+  EXPECT_EQ(check(heap, sums).overlaps.size(), 500'000U) << "measured";
 }
 
 TEST(Validity, NamesTheFirstFixedPiecesThatOverlap) {

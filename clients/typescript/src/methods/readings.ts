@@ -219,7 +219,7 @@ export interface ReadingMethods {
       revision: number;
       /** Proved in integers: no overlap beyond the allowances, no distance below the spacing, nothing outside the strip, and no rule broken. */
       valid: boolean;
-      /** Pairs that overlap or are too close; at most 1,000,000 of them. */
+      /** Pairs that overlap or are too close; at most 500,000 of them. */
       overlaps: Array<Overlap>;
       /** Pieces that extend beyond the strip, or beyond the room that their rules allow. */
       protrusions: Array<Protrusion>;
