@@ -62,14 +62,7 @@ TEST(Annealing, RepeatsItselfAndStops) {
 // The garments of the largest order are more than an int counts: what they sum to is seen by the undefined behaviour
 // sanitizer.
 TEST(Annealing, CountsTheGarmentsOfTheLargestOrder) {
-  orders::Problem problem;
-  problem.cloth.width = 1500;
-  problem.limits = {.plies = orders::kMostPlies, .bundles = 1};
-  for (std::size_t k = 0; k < orders::kMostSizes; ++k) problem.order.sizes.push_back({std::to_string(k), 1e6, 1e4});
-  for (std::size_t k = 0; k < orders::kMostColours; ++k) {
-    problem.order.colours.push_back(std::to_string(k));
-    problem.order.garments.emplace_back(orders::kMostSizes, orders::kMostGarments);
-  }
+  const orders::Problem problem = test::largest_order();
   const AnnealingSettings settings{.markers = 2, .steps = 2, .scale = 1e9, .seed = 1};
   EXPECT_FALSE(anneal(problem, made_lengths_of(problem), settings)) << "two markers of one size each";
 }

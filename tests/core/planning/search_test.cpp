@@ -274,14 +274,7 @@ TEST(CuttingProgram, ReadsBackWhatItWrites) {
 
 // The largest order that the limits of each number allow has more garments than an int counts.
 TEST(CuttingProgram, CountsTheGarmentsOfTheLargestOrder) {
-  orders::Problem problem;
-  problem.cloth.width = 1500;
-  problem.limits = {.plies = orders::kMostPlies, .bundles = 1};
-  for (std::size_t k = 0; k < orders::kMostSizes; ++k) problem.order.sizes.push_back({std::to_string(k), 1e6, 1e4});
-  for (std::size_t k = 0; k < orders::kMostColours; ++k) {
-    problem.order.colours.push_back(std::to_string(k));
-    problem.order.garments.emplace_back(orders::kMostSizes, orders::kMostGarments);
-  }
+  const orders::Problem problem = test::largest_order();
   const Candidate candidate{orders::single(orders::kMostSizes, 0), 1000};
   const CuttingProgram program{problem, {candidate}};
   const double garments = 1.0 * orders::kMostSizes * orders::kMostColours * orders::kMostGarments;

@@ -1,4 +1,4 @@
-// Small orders, their lengths, and the cheapest cutting found by trying all.
+// Small orders, their lengths, and the cheapest cutting found by trying all; and the largest order that there may be.
 #pragma once
 
 #include <algorithm>
@@ -41,6 +41,20 @@ inline Problem small_order(Random& random) {
   problem.limits.under = 0.25 * static_cast<double>(random.below(2));
   problem.costs.marker = static_cast<double>(random.below(3)) * 5;
   problem.costs.lay = static_cast<double>(random.below(3)) * 4;
+  return problem;
+}
+
+// As many colours, sizes, garments and plies as are allowed, of one bundle.
+inline Problem largest_order() {
+  namespace orders = planning::orders;
+  Problem problem;
+  problem.cloth.width = 1500;
+  problem.limits = {.plies = orders::kMostPlies, .bundles = 1};
+  for (std::size_t k = 0; k < orders::kMostSizes; ++k) problem.order.sizes.push_back({std::to_string(k), 1e6, 1e4});
+  for (std::size_t k = 0; k < orders::kMostColours; ++k) {
+    problem.order.colours.push_back(std::to_string(k));
+    problem.order.garments.emplace_back(orders::kMostSizes, orders::kMostGarments);
+  }
   return problem;
 }
 
