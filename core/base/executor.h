@@ -25,8 +25,8 @@ class Executor {
   // An exception thrown by a part is rethrown to the caller once the running parts have finished; if several parts
   // throw, the exception of the part that threw first is rethrown.
   virtual void for_each(std::size_t count, const Part& part) const = 0;
-  // Called before each long step of a part, on the thread of the part.  The core has no clock: an executor with a limit
-  // on time reads it here, and requests a stop when the time is up.
+  // Called from time to time while a part works, on the thread of the part.  The core has no clock: an executor with a
+  // limit on time reads it here, and requests a stop when the time is up.
   virtual void on_step() const {}
 };
 

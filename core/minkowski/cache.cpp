@@ -1,5 +1,6 @@
 #include "core/minkowski/cache.h"
 
+#include <functional>
 #include <iterator>
 #include <list>
 #include <mutex>
@@ -53,8 +54,8 @@ StoredAs stored_as(const outline::OrientedOutline& p, const outline::OrientedOut
 
 using Sum = std::shared_ptr<const MinkowskiSum>;
 // Null when cancelled.
-Sum make(const Key& key, const std::stop_token& stop) {
-  auto sum = obstacle_sum(*key.p, *key.q, key.relative, [&] { return stop.stop_requested(); });
+Sum make(const Key& key, const std::function<bool()>& stopped) {
+  auto sum = obstacle_sum(*key.p, *key.q, key.relative, stopped);
   return sum ? std::make_shared<const MinkowskiSum>(*std::move(sum)) : nullptr;
 }
 
@@ -229,7 +230,7 @@ std::optional<Obstacle> SumCache::obstacle(const outline::OrientedOutline& p, co
   Sum sum = store_->find(kept.key);
   store_->count(sum ? 1 : 0, sum ? 0 : 1);
   if (!sum) {
-    sum = make(kept.key, stop);
+    sum = make(kept.key, [&stop] { return stop.stop_requested(); });
     if (!sum) return {};
     store_->keep(kept.key, sum);
   }
@@ -252,8 +253,11 @@ std::vector<Obstacle> SumCache::obstacles(std::span<const OutlinePair> pairs, co
   store_->count(pairs.size() - missing.size(), missing.size());
 
   const auto made = gathered<Sum>(executor, missing.size(), kBlock, [&](std::size_t k, std::vector<Sum>& out) {
-    executor.on_step();
-    out.push_back(stop.stop_requested() ? nullptr : make(missing[k], stop));
+    const auto stopped = [&executor, &stop] {
+      executor.on_step();
+      return stop.stop_requested();
+    };
+    out.push_back(stopped() ? nullptr : make(missing[k], stopped));
   });
   for (std::size_t k = 0; k < missing.size(); ++k) {
     if (!made[k]) return {};

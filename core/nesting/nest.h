@@ -14,8 +14,7 @@
 // answer is no longer than it.  (5) The same input and settings give the same answer, whatever the cache holds and
 // however many threads are used; with `elapsed` or when cancelled, the best marker so far.  (6) On a strip without an
 // end, more moves never give a longer marker, before pieces tilt and unless they are nested in batches.
-// (7) When `elapsed` reaches 1, the linear program that is being solved, or the Minkowski sum that is being computed,
-// is the last one.
+// (7) When `elapsed` reaches 1, the linear program that is being solved is the last one.
 #pragma once
 
 #include <cstdint>

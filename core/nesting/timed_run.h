@@ -1,5 +1,5 @@
 // A run that stops when a limit in time is used up.  The core has no clock: it asks its caller, between the stages of
-// motions and before each Minkowski sum of a stage.
+// motions and while it computes the Minkowski sums of a stage.
 #pragma once
 
 #include <functional>

@@ -11,7 +11,7 @@
 namespace selvage::nesting {
 namespace {
 
-TEST(TimedRun, EndsBetweenTwoSumsOfAStage) {
+TEST(TimedRun, EndsWhileItComputesTheSumsOfAStage) {
   test::Random random{5};
   SumCache sums;
   std::vector<outline::OrientedOutline> outlines;
@@ -19,10 +19,12 @@ TEST(TimedRun, EndsBetweenTwoSumsOfAStage) {
   std::vector<minkowski::OutlinePair> pairs;
   for (std::size_t k = 1; k < outlines.size(); ++k) pairs.emplace_back(&outlines[k - 1], &outlines[k]);
   int readings = 0;
-  const TimedRun timed{{sums}, [&readings] { return ++readings < 4 ? 0.0 : 1.0; }};
+  const TimedRun timed{{sums}, [&readings] { return ++readings < 40 ? 0.0 : 1.0; }};
   EXPECT_TRUE(sums.obstacles(pairs, *timed.run().executor, timed.run().stop).empty());
   EXPECT_TRUE(timed.run().stopped());
-  EXPECT_EQ(sums.counts().entries, 3U);  // those of the first readings
+  EXPECT_GT(sums.counts().entries, 0U);
+  EXPECT_LT(sums.counts().entries, pairs.size());
+  EXPECT_LT(readings, 40 + static_cast<int>(pairs.size()));  // one for each sum that is not begun
 }
 
 }  // namespace
