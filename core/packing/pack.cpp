@@ -65,6 +65,18 @@ class Packer {
             settings_.turns};
   }
 
+  // The least area that the piece has in an orientation that is searched: turned outlines are rounded to the lattice.
+  [[nodiscard]] double least_area(const Piece& piece) const {
+    const Shape& shape = start_.shapes[piece.shape.value];
+    double least = geometry::area_of(oriented(shape.outline, piece.orientation));
+    for (const Angle rotation : settings_.turns ? shape.rotations : std::vector<Angle>{}) {
+      for (const bool flip : {false, true}) {
+        least = std::min(least, geometry::area_of(oriented(shape.outline, {flip, rotation, piece.orientation.tilt})));
+      }
+    }
+    return least;
+  }
+
   // By area, and by the pieces that cannot move.
   [[nodiscard]] Coord least_length(const bodies::Bodies& bodies, const marker::PlacedPieces& pieces) const {
     std::vector<bool> moves(start_.pieces.size());
@@ -74,7 +86,7 @@ class Packer {
     double area = 0;
     Coord fixed_end = 0;
     for (std::uint32_t piece = 0; piece < pieces.size(); ++piece) {
-      if (!pieces.is_zone(piece)) area += geometry::area_of(pieces[piece].vertices);
+      if (!pieces.is_zone(piece)) area += least_area(start_.pieces[piece]);
       // Of an incomplete set, pieces are missing that can move.
       if (bodies.complete && !moves[piece]) fixed_end = std::max(fixed_end, pieces.end_of(piece));
     }

@@ -151,6 +151,19 @@ TEST(Pack, PlacesUnplacedPieces) {
   EXPECT_EQ(impossible.marker, limited(marker, 19'000));
 }
 
+// Turned by 45 degrees and rounded to the lattice, a square of 10 units has an area of 98.
+TEST(Pack, BoundsTheLengthByTheLeastAreaOfEachPiece) {
+  test::Layout layout{18};
+  const auto square = layout.shape_of(test::rectangle(10, 10));
+  layout.put(square, {0, 0}).put(square, {30, 0});
+  Marker marker = layout.marker();
+  marker.shapes[0].rotations = {{0}, {45}};
+  SumCache sums;
+  PackSettings settings;
+  settings.limits.nodes = 0;
+  EXPECT_EQ(pack(marker, settings, {sums}).bound, 10) << "196 / 18, not 200 / 18";
+}
+
 TEST(Pack, SearchesNothingWithTooManyPieces) {
   test::Layout layout{100'000};
   const auto square = layout.shape_of(test::rectangle(1'000, 1'000));
