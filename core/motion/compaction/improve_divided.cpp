@@ -65,6 +65,7 @@ Progress improve_divided(scene::Scene& scene, const step::Goal& goal, const Comp
   rest.rounds = settings.rounds - progress.rounds;
   progress += improve_sections(scene, rest, later);
   rest.rounds = settings.rounds - progress.rounds;
+  rest.least_gain = tuning.later_gain * settings.least_gain;
   progress += improve(scene, goal, rest, later);
   return progress;
 }
