@@ -4,10 +4,9 @@
 //
 // usage: ablation_table [--constants] [--only TEXT] SECONDS SEEDS MARKER...
 //
-// SECONDS: processor time of each run, on one thread; runs of two searches, named so, have a thread for each, which
-// share it.  The seeds are 1 to SEEDS.  Layouts in the files are not used.
-// TEXT: only the rows whose names contain it, so that sittings add up.  nest() proves every answer; the density of
-// every run goes to the standard error.
+// SECONDS: processor time of each run, on one thread; the rows of two searches have two threads, which share it.  The
+// seeds are 1 to SEEDS.  Layouts in the files are not used. TEXT: only the rows whose names contain it, so that
+// sittings add up.  nest() proves every answer; the density of every run goes to the standard error.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

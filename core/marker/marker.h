@@ -7,9 +7,9 @@
 // position.  Length, utilisation, validity and motions concern placed pieces only; nesting places the others.
 // Invariant of a Marker that make_marker returned: ids are unique, also between placed and unplaced pieces; every piece
 // names an existing shape, every shape is a Polygon, every piece has an orientation that its shape allows, every placed
-// piece fits the strip's width and the room that its rules leave, every part of a piece (rules.h) is a Polygon within
-// the piece's outline, and every zone is placed and locked. Pieces may still overlap or leave the strip or their rooms:
-// see core/marker/validity.h.
+// piece fits the strip's width and the room that its rules leave, every part of a piece (rules.h) is a Polygon with its
+// corners within the piece's outline, and every zone is placed and locked. Pieces may still overlap or leave the strip
+// or their rooms: see core/marker/validity.h.
 #pragma once
 
 #include <optional>

@@ -11,7 +11,7 @@
 namespace selvage::marker {
 namespace {
 
-constexpr std::size_t kMostMeasured = 500'000;  // overlaps; an answer with more has more values than JSON may have
+constexpr std::size_t kMostMeasured = 500'000;  // overlaps; a heap of pieces has millions
 
 Overlap measured(PiecePair pair, const PlacedPieces& pieces, const Marker& marker, SumCache& sums) {
   const auto [first, second] = pair;

@@ -42,7 +42,7 @@ struct MatchFault {
   Vec by;  // lattice units
 };
 struct Validity {
-  std::vector<Overlap> overlaps;        // by (first, second); at most kMostConflicts of them (clearance.h)
+  std::vector<Overlap> overlaps;        // by (first, second); at most 500,000 of them
   std::vector<Protrusion> protrusions;  // by piece
   std::vector<ShadeFault> shades;       // by the name of the shade
   std::vector<MatchFault> matches;      // by the name of the match set, and by piece

@@ -34,7 +34,7 @@ HalfPlane cut_before(const minkowski::convolution::SumEdge& edge, Vec r, Coord s
   if (past_from > 0 && past_to < 0) return along;
   const Vec nearest = past_from <= 0 ? edge.from : edge.to;
   const Vec out = r - nearest;
-  if (out == Vec{}) return along;  // on the point itself there is no direction to it
+  if (out == Vec{}) return along;  // r is that point: no direction leads from it to r
   return {nearest, {-out.y, out.x}};
 }
 

@@ -17,7 +17,8 @@ namespace {
 // Work on putting pieces back, counted in pieces that each trial of an orientation looks at.
 constexpr std::size_t kMostLookedAt = 20'000'000;
 
-// The sums of the last piece with all others, so that time can be up between two of them; false when it is.
+// Computes the sums of the last piece with all others before it is placed, because only this looks at the time between
+// two of them.  False when it was stopped.
 bool has_sums(const scene::Scene& scene, const scene::Run& run) {
   std::vector<marker::PiecePair> pairs;
   const auto last = static_cast<std::uint32_t>(scene.pieces.size() - 1);

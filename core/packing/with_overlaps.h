@@ -1,7 +1,7 @@
 // Layouts in which pieces overlap as far as their allowances let them.  The exact searches look only at layouts without
 // overlaps; here a compaction and a short nesting, which use the allowances, look for others.  They prove nothing about
 // layouts that they do not find.
-// Units: lattice units.  Invariants: an answer is valid, or as valid as the pieces that stay; the same input gives the
+// Units: lattice units.  Laws: the pieces that were moved lie validly, proved in integers; the same input gives the
 // same answer, unless it is stopped.
 #pragma once
 
@@ -31,7 +31,7 @@ struct OverlapSettings {
 
 // The marker with the wanted pieces in the container; the others stay.  Nothing when no layout is found, and when a
 // wanted piece belongs to a group or keeps an orientation that a nesting would change.  REQUIRES: `wanted` names pieces
-// of the marker, where they lie does not matter, except that locked ones stay.
+// of the marker.  Where these lie does not matter, except that locked ones stay.
 [[nodiscard]] std::optional<Marker> contained_with_overlaps(const Marker& start, std::span<const PieceId> wanted,
                                                             const outline::enclosed::Container& container,
                                                             const OverlapSettings& settings, const scene::Run& run);

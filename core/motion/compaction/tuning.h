@@ -28,8 +28,9 @@ struct CompactionTuning {
   sections::SectionTuning sections{};
   int hard_round{3};  // a round that solves this many programs is hard: sections take less time than more of them
   double section_gain{1.5e-3};  // part of the width: the rounds of a section end with the first one that gains less
-  double later_gain{4};         // rounds after sections end with the first one that gains less than so many least gains
-  step::StepTuning step{};      // of each round
+  double later_gain{4};     // rounds after sections end with the first one that gains less than this multiple of the
+                            // least gain
+  step::StepTuning step{};  // of each round
   friend bool operator==(const CompactionTuning&, const CompactionTuning&) = default;
 };
 

@@ -18,7 +18,7 @@ using layout::Layout;
 
 using Pieces = std::vector<std::uint32_t>;
 
-// A piece that is left over may come onto the strip in place of any of so many others.
+// A piece that is left over, and how many others it could take the place of.
 struct Swaps {
   std::size_t in{};
   std::size_t number{};

@@ -9,7 +9,7 @@
 
 namespace selvage::nesting::sheets {
 
-// Kinds that all cost the same, be it nothing, cost 1 each: then the cost of some sheets is their number.
+// Where all kinds cost the same, even nothing, each counts as 1, so that the cost of some sheets is their number.
 class Costs {
  public:
   explicit Costs(const std::vector<ReadySheet>& sheets);

@@ -37,8 +37,8 @@ using selvage::nesting::sheets::SheetZone;
 
 using Corners = std::vector<calls::Point>;
 
-// Where the bounding box begins from which the positions on a sheet count.  Only the size of a sheet is limited by the
-// lattice, not how far from the origin it was drawn.
+// The low corner of the bounding box, from which positions on a sheet are measured.  Only the size of a sheet is
+// limited by the lattice, not how far from the origin it was drawn.
 calls::Point low_corner(const Corners& corners) {
   if (corners.empty()) return {};
   calls::Point low = corners.front();
